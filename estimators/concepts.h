@@ -1,0 +1,34 @@
+#pragma once
+
+#include <concepts>
+
+#include <fairlight/estimators/density.h>
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight {
+
+/// Gives numbers in [0,1), one dimension after the other.
+template <class Source, class Real>
+concept UniformSource = requires(Source source) {
+  { source.next() } -> std::convertible_to<Real>;
+};
+
+/// The next two dimensions of a source.
+template <class Real, UniformSource<Real> Source>
+Vec2<Real> next_pair(Source& source) {
+  const Real first = source.next();
+  return {first, source.next()};
+}
+
+/// A law on some space: `sample(u)` is a pure function of a point of the unit square, `pdf(x)` its density.
+template <class T>
+concept Sampler = requires(const T sampler, typename T::Point x, Vec2<typename T::Scalar> u) {
+  { sampler.sample(u) } -> std::convertible_to<typename T::Point>;
+  { sampler.pdf(x) } -> std::same_as<Density<typename T::Measure, typename T::Scalar>>;
+};
+
+/// One draw of a random variable: `estimate(source)`, whose mean is what is claimed of it.
+template <class T, class Source>
+concept Estimator = requires(const T estimator, Source source) { estimator.estimate(source); };
+
+}  // namespace fairlight

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <fairlight/estimators/density.h>
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight {
+
+/// Offsets from a pixel's centre, weighted by a tent that reaches the neighbours' centres. A pixel samples its own
+/// filter, so pixels stay independent of each other.
+/// Formula  p(x, y) = (1 - |x|) (1 - |y|)
+/// Measure  area [1/pixel^2]
+/// Domain   [-1,1]^2; the density is 0 elsewhere
+/// Random   u in [0,1)^2
+/// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"
+template <class Real>
+struct TentFilter {
+  using Scalar = Real;
+  using Point = Vec2<Real>;
+  using Measure = Area;
+
+  Point sample(const Vec2<Real>& u) const { return {offset(u.x()), offset(u.y())}; }
+
+  Density<Measure, Real> pdf(const Point& x) const { return Density<Measure, Real>(height(x.x()) * height(x.y())); }
+
+ private:
+  static Real offset(Real u) {
+    using std::sqrt;
+    const Real left = sqrt(Real(2) * u) - Real(1);
+    const Real right = Real(1) - sqrt(Real(2) * (Real(1) - u));
+    return select(u < Real(0.5), left, right);
+  }
+
+  static Real height(Real x) {
+    using std::abs;
+    const Real rise = Real(1) - abs(x);
+    return select(rise > Real(0), rise, Real(0));
+  }
+};
+
+}  // namespace fairlight

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <stdexcept>
+
+#include <fairlight/estimators/density.h>
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight {
+
+/// Uniform points on a sphere, the whole of it; those on the far side are for the visibility test to reject.
+/// Formula  p(x) = 1 / (4 pi r^2)
+/// Measure  area [1/m^2]
+/// Domain   points of the sphere, as unit outward normals; centre + r n is the point
+/// Random   u in [0,1)^2
+/// Source   Archimedes (equal areas at equal heights); Shirley, Wang, Zimmerman 1996
+template <class Real>
+class UniformSphereArea {
+ public:
+  using Scalar = Real;
+  using Point = Vec3<Real>;
+  using Measure = Area;
+
+  /// radius > 0 in m; throws std::invalid_argument otherwise.
+  explicit UniformSphereArea(Real radius) : radius_(radius) {
+    if (!(radius > Real(0))) throw std::invalid_argument("a sphere's radius must be positive (its area divides)");
+  }
+
+  /// The outward unit normal at the point.
+  Point sample(const Vec2<Real>& u) const {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const Real z = Real(1) - Real(2) * u.x();
+    const Real radius = Real(2) * sqrt(u.x() * (Real(1) - u.x()));
+    const Real phi = Real(2) * pi<Real> * u.y();
+    return {radius * cos(phi), radius * sin(phi), z};
+  }
+
+  Density<Measure, Real> pdf(const Point&) const {
+    return Density<Measure, Real>(Real(1) / (Real(4) * pi<Real> * radius_ * radius_));
+  }
+
+ private:
+  Real radius_;
+};
+
+}  // namespace fairlight

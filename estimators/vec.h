@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <fairlight/estimators/real.h>
+
+namespace fairlight {
+
+template <class Real>
+using Vec2 = Eigen::Matrix<Real, 2, 1>;
+template <class Real>
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+/// Red, green and blue; radiance in W/(sr m^2), or a reflectance in [0,1].
+template <class Real>
+using Rgb = Eigen::Array<Real, 3, 1>;
+
+/// An orthonormal, right-handed frame about a unit normal.
+/// Source: Duff et al. 2017, "Building an orthonormal basis, revisited".
+template <class Real>
+class Frame {
+ public:
+  explicit Frame(const Vec3<Real>& normal) : normal_(normal) {
+    using std::copysign;
+    const Real sign = copysign(Real(1), normal.z());
+    const Real a = Real(-1) / (sign + normal.z());
+    const Real b = normal.x() * normal.y() * a;
+    tangent_ = {Real(1) + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};
+    bitangent_ = {b, sign + normal.y() * normal.y() * a, -normal.y()};
+  }
+
+  /// From the frame, where the normal is +z, to the world.
+  Vec3<Real> to_world(const Vec3<Real>& local) const {
+    return tangent_ * local.x() + bitangent_ * local.y() + normal_ * local.z();
+  }
+
+  /// From the world to the frame.
+  Vec3<Real> to_local(const Vec3<Real>& world) const {
+    return {tangent_.dot(world), bitangent_.dot(world), normal_.dot(world)};
+  }
+
+ private:
+  Vec3<Real> tangent_, bitangent_, normal_;
+};
+
+}  // namespace fairlight

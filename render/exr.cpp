@@ -1,0 +1,220 @@
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfIO.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+#include <fairlight/render/picture.h>
+#include <fairlight/render/whole_file.h>
+#include <fairlight/version.h>
+
+namespace fairlight {
+namespace {
+
+constexpr std::array<const char*, 3> channel_names{"R", "G", "B"};
+constexpr std::size_t halves = 2 * ExactMoments::word_count;  // 32-bit halves of a channel's state
+
+class ExrStream : public Imf::OStream {
+ public:
+  ExrStream(WholeFile& file, const std::string& path) : OStream(path.c_str()), file_(file) {}
+  void write(const char bytes[], int n) override { file_.write({bytes, static_cast<std::size_t>(n)}); }
+  std::uint64_t tellp() override { return file_.position(); }
+  void seekp(std::uint64_t position) override { file_.seek(position); }
+
+ private:
+  WholeFile& file_;
+};
+
+// One row of one channel at a time: planes of a row, in the order of `names`.
+template <class Value>
+struct Row {
+  std::vector<std::string> names;
+  std::vector<std::vector<Value>> planes;
+
+  Row(std::vector<std::string> channel_list, int width) : names(std::move(channel_list)) {
+    planes.assign(names.size(), std::vector<Value>(static_cast<std::size_t>(width)));
+  }
+
+  // A y stride of 0 makes every row of the file go through the same memory.
+  Imf::FrameBuffer& insert(Imf::FrameBuffer& buffer, Imf::PixelType type) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      buffer.insert(names[i], Imf::Slice(type, reinterpret_cast<char*>(planes[i].data()), sizeof(Value), 0));
+    }
+    return buffer;
+  }
+};
+
+std::vector<std::string> light_names() { return {"R", "G", "B", "error.R", "error.G", "error.B"}; }
+
+std::vector<std::string> sum_names() {
+  std::vector<std::string> names;
+  for (const char* channel : channel_names) {
+    for (std::size_t i = 0; i < halves; ++i) {
+      names.push_back(std::string(channel) + "." + (i < 10 ? "0" : "") + std::to_string(i));
+    }
+  }
+  return names;
+}
+
+Imf::Header part_header(const char* name, const Film& film) {
+  Imf::Header header(film.width(), film.height());
+  header.setName(name);
+  header.setType(Imf::SCANLINEIMAGE);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  return header;
+}
+
+std::vector<Imf::Header> headers(const Picture& picture) {
+  Imf::Header light = part_header("light", picture.film);
+  const auto attribute = [&](const char* name, const std::string& value) {
+    light.insert(std::string("fairlight.") + name, Imf::StringAttribute(value));
+  };
+  attribute("scene", picture.settings.scene);
+  attribute("settings", nlohmann::json(picture.settings).dump());
+  attribute("seed", picture.samples.json().dump());
+  attribute("version", version);
+  for (const std::string& name : light_names()) light.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  light.channels().insert("samples.N", Imf::Channel(Imf::UINT));
+  Imf::Header sums = part_header("sums", picture.film);
+  for (const std::string& name : sum_names()) sums.channels().insert(name, Imf::Channel(Imf::UINT));
+  return {light, sums};
+}
+
+std::uint32_t sample_count(const Film::Pixel& pixel) {
+  if (pixel[0].count() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::runtime_error("a pixel holds more than 2^32 - 1 samples (the EXR's samples layer cannot say so)");
+  }
+  return static_cast<std::uint32_t>(pixel[0].count());
+}
+
+void write_light(Imf::MultiPartOutputFile& file, const Film& film) {
+  Row<float> row(light_names(), film.width());
+  Row<std::uint32_t> counts({"samples.N"}, film.width());
+  Imf::FrameBuffer buffer;
+  row.insert(buffer, Imf::FLOAT);
+  counts.insert(buffer, Imf::UINT);
+  Imf::OutputPart part(file, 0);
+  part.setFrameBuffer(buffer);
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      const Film::Pixel& pixel = film.at(x, y);
+      const auto column = static_cast<std::size_t>(x);
+      for (std::size_t c = 0; c < 3; ++c) {
+        row.planes[c][column] = static_cast<float>(pixel[c].mean());
+        row.planes[3 + c][column] = static_cast<float>(pixel[c].standard_error());
+      }
+      counts.planes[0][column] = sample_count(pixel);
+    }
+    part.writePixels(1);
+  }
+}
+
+void write_sums(Imf::MultiPartOutputFile& file, const Film& film) {
+  Row<std::uint32_t> row(sum_names(), film.width());
+  Imf::FrameBuffer buffer;
+  Imf::OutputPart part(file, 1);
+  part.setFrameBuffer(row.insert(buffer, Imf::UINT));
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      for (std::size_t i = 0; i < row.planes.size(); ++i) {
+        const std::uint64_t word = film.at(x, y)[i / halves].words()[i % halves / 2];
+        row.planes[i][static_cast<std::size_t>(x)] = static_cast<std::uint32_t>(word >> (i % 2 * 32));
+      }
+    }
+    part.writePixels(1);
+  }
+}
+
+void read_sums(Imf::MultiPartInputFile& file, Film& film) {
+  Row<std::uint32_t> row(sum_names(), film.width());
+  Imf::FrameBuffer buffer;
+  Imf::InputPart part(file, 1);
+  part.setFrameBuffer(row.insert(buffer, Imf::UINT));
+  for (int y = 0; y < film.height(); ++y) {
+    part.readPixels(y);
+    for (int x = 0; x < film.width(); ++x) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        ExactMoments::Words words{};
+        for (std::size_t i = 0; i < halves; ++i) {
+          words[i / 2] |= std::uint64_t{row.planes[c * halves + i][static_cast<std::size_t>(x)]} << (i % 2 * 32);
+        }
+        film.at(x, y)[c] = ExactMoments(words);
+      }
+    }
+  }
+}
+
+std::string attribute(const Imf::Header& header, const char* name) {
+  return header.typedAttribute<Imf::StringAttribute>(std::string("fairlight.") + name).value();
+}
+
+bool same_names(const Imf::ChannelList& channels, std::vector<std::string> names) {
+  std::vector<std::string> found;
+  for (auto i = channels.begin(); i != channels.end(); ++i) found.emplace_back(i.name());
+  std::sort(names.begin(), names.end());
+  return found == names;
+}
+
+Picture read_parts(Imf::MultiPartInputFile& file) {
+  if (file.parts() != 2) throw std::runtime_error("it lacks the film's sums");
+  const Imf::Header& light = file.header(0);
+  const auto settings = nlohmann::json::parse(attribute(light, "settings")).get<RenderSettings>();
+  const Imath::Box2i window = file.header(1).dataWindow();
+  if (window != Imath::Box2i({0, 0}, {settings.width - 1, settings.height - 1}) ||
+      !same_names(file.header(1).channels(), sum_names())) {
+    throw std::runtime_error("its sums do not belong to its settings");
+  }
+  Picture picture{settings, SampleLedger::from_json(nlohmann::json::parse(attribute(light, "seed"))),
+                  Film(settings.width, settings.height)};
+  read_sums(file, picture.film);
+  return picture;
+}
+
+}  // namespace
+
+void write_exr(const std::string& path, const Picture& picture) {
+  WholeFile whole(path);
+  {
+    ExrStream stream(whole, path);
+    const std::vector<Imf::Header> parts = headers(picture);
+    Imf::MultiPartOutputFile file(stream, parts.data(), static_cast<int>(parts.size()));
+    write_light(file, picture.film);
+    write_sums(file, picture.film);
+  }
+  whole.commit();
+}
+
+Picture read_exr(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) throw std::runtime_error("there is no file \"" + path + "\"");
+  try {
+    Imf::MultiPartInputFile file(path.c_str());
+    return read_parts(file);
+  } catch (const std::exception& error) {
+    throw std::runtime_error("\"" + path + "\" is not a whole EXR file from fairlight render (" + error.what() + ")");
+  }
+}
+
+void Picture::merge(const Picture& other) {
+  const nlohmann::json mine = settings;
+  const nlohmann::json theirs = other.settings;
+  for (const auto& [key, value] : mine.items()) {
+    if (theirs.at(key) != value) {
+      throw std::invalid_argument("renders with different settings cannot be merged (" + key + " is " + value.dump() +
+                                  " in one, " + theirs.at(key).dump() + " in the other)");
+    }
+  }
+  samples.merge(other.samples);
+  film.merge(other.film);
+}
+
+}  // namespace fairlight

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <fairlight/estimators/vec.h>
+#include <fairlight/stats/exact_moments.h>
+
+namespace fairlight {
+
+/// Per pixel and channel, the exact moments of its samples [W/(sr m^2)]. Any split of a pixel's samples into parts,
+/// merged in any order, gives the same film to the bit: threads, resumes, shards and machines all rest on it.
+class Film {
+ public:
+  using Pixel = std::array<ExactMoments, 3>;
+
+  /// Throws std::invalid_argument unless both are in 1 .. 65536.
+  Film(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
+  const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+
+  /// Adds one sample to a pixel. Throws std::domain_error, naming the pixel, when a channel is negative, not a number,
+  /// or 2^64 and more: it is never repaired.
+  void add(int x, int y, const Rgb<double>& sample);
+
+  /// Throws std::invalid_argument when the sizes differ.
+  void merge(const Film& other);
+
+  /// The mean radiance of a pixel.
+  Rgb<double> mean(int x, int y) const;
+
+  bool operator==(const Film&) const = default;
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+
+  int width_, height_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace fairlight

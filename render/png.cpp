@@ -1,0 +1,50 @@
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fairlight/render/picture.h>
+#include <fairlight/render/whole_file.h>
+
+namespace fairlight {
+namespace {
+
+// The sRGB transfer curve, IEC 61966-2-1, to 8 bits. A screen shows no more than 1, so the preview ends there; the
+// EXR holds the radiance itself.
+png_byte encode(double radiance) {
+  const double shown = std::min(radiance, 1.0);
+  const double curve = shown <= 0.0031308 ? 12.92 * shown : 1.055 * std::pow(shown, 1 / 2.4) - 0.055;
+  return static_cast<png_byte>(std::lround(255 * curve));
+}
+
+std::vector<png_byte> encode(const Film& film) {
+  std::vector<png_byte> bytes;
+  for (int y = 0; y < film.height(); ++y) {
+    for (int x = 0; x < film.width(); ++x) {
+      for (double radiance : film.mean(x, y)) bytes.push_back(encode(radiance));
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
+void write_png(const std::string& path, const Film& film) {
+  const std::vector<png_byte> pixels = encode(film);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(film.width());
+  image.height = static_cast<png_uint_32>(film.height());
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<char> bytes(size);
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+    throw std::runtime_error("cannot encode \"" + path + "\" (" + image.message + ")");
+  }
+  WholeFile file(path);
+  file.write({bytes.data(), size});
+  file.commit();
+}
+
+}  // namespace fairlight

@@ -1,0 +1,158 @@
+#include <fairlight/render/render_command.h>
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <optional>
+
+#include <fairlight/estimators/seed.h>
+#include <fairlight/render/parallel.h>
+#include <fairlight/render/picture.h>
+#include <fairlight/render/progress.h>
+#include <fairlight/render/render_image.h>
+#include <fairlight/render/whole_file.h>
+
+namespace fairlight {
+namespace {
+
+struct RenderOptions {
+  RenderSettings settings;
+  std::uint64_t spp = 0;
+  std::string output, png, json, seed, resume;
+  std::string shard = "1/1";
+  int threads = hardware_threads();
+};
+
+// Shard i of N holds samples (i-1) spp / N to i spp / N.
+SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint64_t spp) {
+  unsigned long i = 0;
+  unsigned long n = 0;
+  char rest = 0;
+  if (std::sscanf(shard.c_str(), "%lu/%lu%c", &i, &n, &rest) != 2 || i < 1 || i > n) {
+    throw std::invalid_argument("\"" + shard + "\" is not a shard (give i/N with i from 1 to N)");
+  }
+  const SampleRange range{first + (i - 1) * spp / n, first + i * spp / n};
+  if (range.first == range.last) throw std::invalid_argument("shard " + shard + " is empty (there are more shards than samples)");
+  return range;
+}
+
+Picture start(const RenderOptions& options) {
+  if (options.resume.empty()) return {options.settings, {}, Film(options.settings.width, options.settings.height)};
+  Picture picture = read_exr(options.resume);
+  Picture empty{options.settings, {}, Film(picture.film.width(), picture.film.height())};
+  empty.merge(picture);  // refuses a picture of something else
+  return empty;
+}
+
+std::uint64_t choose_seed(const RenderOptions& options, const Picture& picture) {
+  if (!options.seed.empty()) return parse_seed(options.seed);
+  return options.resume.empty() ? fresh_seed() : picture.samples.seed();
+}
+
+long peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024;
+}
+
+nlohmann::json report(const RenderOptions& options, std::uint64_t seed, const RenderCost& cost, double seconds) {
+  return {{"scene", options.settings.scene},
+          {"settings", options.settings},
+          {"seed", seed_text(seed)},
+          {"paths", cost.paths},
+          {"rays", cost.rays},
+          {"seconds", seconds},
+          {"paths_per_second", static_cast<double>(cost.paths) / seconds},
+          {"rays_per_second", static_cast<double>(cost.rays) / seconds},
+          {"peak_bytes", peak_bytes()}};
+}
+
+int render(const RenderOptions& options) {
+  const View view = built_in_scene(options.settings.scene);
+  for (const std::string& path : {options.output, options.png, options.json}) {
+    if (!path.empty()) WholeFile::check_writable(path);
+  }
+  Picture picture = start(options);
+  const std::uint64_t seed = choose_seed(options, picture);
+  const SampleRange range = shard_range(options.shard, picture.samples.next(seed), options.spp);
+  picture.samples.add(seed, range);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const RenderCost cost = render_image(view, options.settings, seed, range, options.threads, picture.film,
+                                       progress_bar(options.settings.scene.c_str()));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+  write_exr(options.output, picture);
+  if (!options.png.empty()) write_png(options.png, picture.film);
+  if (!options.json.empty()) write_json(options.json, report(options, seed, cost, seconds));
+  std::printf("%s: %d x %d pixels, %llu samples each, %.1f s, seed %s: %s%s%s\n", options.settings.scene.c_str(),
+              options.settings.width, options.settings.height,
+              static_cast<unsigned long long>(picture.film.at(0, 0)[0].count()), seconds, seed_text(seed).c_str(),
+              options.output.c_str(), options.png.empty() ? "" : ", ", options.png.c_str());
+  return 0;
+}
+
+int merge(const std::vector<std::string>& inputs, const std::string& output) {
+  WholeFile::check_writable(output);
+  Picture picture = read_exr(inputs.front());
+  for (std::size_t i = 1; i < inputs.size(); ++i) picture.merge(read_exr(inputs[i]));
+  write_exr(output, picture);
+  std::printf("%zu renders merged: %s\n", inputs.size(), output.c_str());
+  return 0;
+}
+
+void add_render(CLI::App& program, Command& command) {
+  auto* app = program.add_subcommand("render", "Render a built-in scene to an OpenEXR file");
+  auto options = std::make_shared<RenderOptions>();
+  RenderSettings& settings = options->settings;
+  app->add_option("scene", settings.scene, "Which scene: see `fairlight scenes`")->required()->type_name("SCENE");
+  app->add_option("-o", options->output, "The picture, as EXR")->required()->type_name("F.exr");
+  app->add_option("--png", options->png, "A preview, as PNG")->type_name("F.png");
+  app->add_option("--json", options->json, "What it cost, as JSON")->type_name("F.json");
+  app->add_option("--spp", options->spp, "Samples per pixel to add")->required()->check(CLI::Range(1ul, 1ul << 40));
+  app->add_option("--resume", options->resume, "Go on from this picture, with its seed")->type_name("F.exr");
+  app->add_option("--shard", options->shard, "Only part i of N of the samples")->type_name("i/N");
+  app->add_option("--width", settings.width, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
+  app->add_option("--height", settings.height, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
+  const auto choice = [app](const char* name, std::string& value, const char* help, std::vector<std::string> values) {
+    app->add_option(name, value, help)->check(CLI::IsMember(std::move(values)))->capture_default_str();
+  };
+  choice("--bounce", settings.bounce, "How directions are sampled", {"cosine", "uniform"});
+  choice("--direct", settings.direct, "Shadow rays to luminaires, or none", {"light", "none"});
+  choice("--light-sampling", settings.light_sampling, "How a luminaire's points are sampled", {"area"});
+  choice("--which-light", settings.which_light, "All luminaires, or one of them", {"all", "one"});
+  choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "off"});
+  choice("--filter", settings.filter, "The pixel filter", {"tent"});
+  app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")->check(CLI::Range(0, 1 << 20));
+  app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  app->add_option("--seed", options->seed, "1 to 16 hexadecimal digits; fresh if not given");
+  app->callback([options, &command] { command = [options] { return render(*options); }; });
+}
+
+void add_merge(CLI::App& program, Command& command) {
+  auto* app = program.add_subcommand("merge", "Merge renders of one scene, with different samples, into one");
+  auto inputs = std::make_shared<std::vector<std::string>>();
+  auto output = std::make_shared<std::string>();
+  app->add_option("pictures", *inputs, "Renders")->required()->type_name("F.exr");
+  app->add_option("-o", *output, "The picture, as EXR")->required()->type_name("F.exr");
+  app->callback([inputs, output, &command] { command = [inputs, output] { return merge(*inputs, *output); }; });
+}
+
+}  // namespace
+
+void add_render_commands(CLI::App& program, Command& command) {
+  add_render(program, command);
+  add_merge(program, command);
+  auto* scenes = program.add_subcommand("scenes", "List the built-in scenes");
+  scenes->callback([&command] {
+    command = [] {
+      for (const std::string& name : scene_names()) std::puts(name.c_str());
+      return 0;
+    };
+  });
+}
+
+}  // namespace fairlight

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include <fairlight/render/cornell.h>
+#include <fairlight/render/film.h>
+#include <fairlight/render/settings.h>
+
+namespace fairlight {
+
+/// What a render cost.
+struct RenderCost {
+  std::uint64_t paths = 0;
+  std::uint64_t rays = 0;  ///< camera rays, bounces and shadow rays
+};
+
+/// Called with the fraction done, in (0,1], from one thread at a time.
+using Progress = std::function<void(double)>;
+
+/// Adds samples `range` of every pixel to the film. A sample is a function of (seed, pixel, sample number), so the
+/// film depends neither on the threads nor on how a range was split.
+/// Throws std::invalid_argument for a strategy that does not exist or a path that might not end, std::domain_error
+/// for a sample that is not a radiance.
+RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
+                        int threads, Film& film, const Progress& progress);
+
+}  // namespace fairlight

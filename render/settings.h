@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fairlight {
+
+/// What a picture is an estimate of, and by which strategies. Two renders may be merged when these are equal.
+struct RenderSettings {
+  std::string scene = "cornell-simple";
+  int width = 256;
+  int height = 256;
+  std::string bounce = "cosine";        ///< cosine | uniform
+  std::string direct = "light";         ///< light | none
+  std::string light_sampling = "area";  ///< area
+  std::string which_light = "one";      ///< all | one
+  std::string roulette = "albedo";      ///< albedo | off
+  std::string filter = "tent";          ///< tent
+  int max_depth = -1;                   ///< bounces; -1 for no limit
+};
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, bounce, direct, light_sampling, which_light,
+                                   roulette, filter, max_depth)
+
+/// Samples first .. last - 1 of every pixel.
+struct SampleRange {
+  std::uint64_t first;
+  std::uint64_t last;
+};
+
+/// Which samples of which seed a picture holds, so that none is counted twice.
+class SampleLedger {
+ public:
+  /// Throws std::invalid_argument when some of them are there already, or the range is empty.
+  void add(std::uint64_t seed, SampleRange range);
+  /// Throws as add does.
+  void merge(const SampleLedger& other);
+  /// The first sample number of this seed after all that are there.
+  std::uint64_t next(std::uint64_t seed) const;
+  /// The only seed there is. Throws std::invalid_argument when there are several.
+  std::uint64_t seed() const;
+
+  /// {"seed": [[first, last], ...], ...}, adjacent ranges joined, so that equal sets give equal text.
+  nlohmann::json json() const;
+  static SampleLedger from_json(const nlohmann::json& json);
+
+ private:
+  std::map<std::uint64_t, std::map<std::uint64_t, std::uint64_t>> ranges_;  // seed -> first -> last
+};
+
+}  // namespace fairlight

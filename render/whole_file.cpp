@@ -1,0 +1,59 @@
+#include <fairlight/render/whole_file.h>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace fairlight {
+
+WholeFile::WholeFile(const std::string& path) : path_(path), partial_(path + ".part" + std::to_string(getpid())) {
+  const auto status = std::filesystem::status(path);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw std::runtime_error("cannot write \"" + path + "\" (something that is not a file is in its place)");
+  }
+  file_ = std::fopen(partial_.c_str(), "wbx");
+  if (file_ == nullptr) fail("write");
+}
+
+WholeFile::~WholeFile() {
+  if (file_ == nullptr) return;
+  std::fclose(file_);
+  std::remove(partial_.c_str());
+}
+
+void WholeFile::write(std::span<const char> bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("write");
+}
+
+std::uint64_t WholeFile::position() const { return static_cast<std::uint64_t>(std::ftell(file_)); }
+
+void WholeFile::seek(std::uint64_t position) {
+  if (std::fseek(file_, static_cast<long>(position), SEEK_SET) != 0) fail("write");
+}
+
+void WholeFile::commit() {
+  if (failed_) throw std::runtime_error("cannot write \"" + path_ + "\" (an earlier write failed)");
+  if (std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) fail("write");
+  if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail("put in place");
+  std::fclose(file_);
+  file_ = nullptr;
+}
+
+void WholeFile::check_writable(const std::string& path) { const WholeFile probe(path); }
+
+void WholeFile::fail(const char* doing) {
+  failed_ = true;
+  throw std::runtime_error(std::string("cannot ") + doing + " \"" + path_ + "\" (" + std::strerror(errno) + ")");
+}
+
+void write_json(const std::string& path, const nlohmann::json& json) {
+  WholeFile file(path);
+  file.write(json.dump(2) + "\n");
+  file.commit();
+}
+
+}  // namespace fairlight

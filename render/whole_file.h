@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+namespace fairlight {
+
+/// A file that appears whole or not at all: written beside its place under another name, and put there by commit().
+/// Errors throw std::runtime_error, saying which file and what the system said.
+class WholeFile {
+ public:
+  /// Throws when the folder does not exist or cannot be written, or when something that is not a file is in the way.
+  explicit WholeFile(const std::string& path);
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+  /// Removes what was written, unless it was committed.
+  ~WholeFile();
+
+  void write(std::span<const char> bytes);
+  std::uint64_t position() const;
+  void seek(std::uint64_t position);
+
+  /// Writes through to the disk and puts the file in its place; throws also for an error in an earlier write.
+  void commit();
+
+  /// Throws as the constructor would, so that a long run can fail before it starts. Leaves nothing behind.
+  static void check_writable(const std::string& path);
+
+ private:
+  [[noreturn]] void fail(const char* doing);
+
+  std::string path_;
+  std::string partial_;
+  std::FILE* file_ = nullptr;
+  bool failed_ = false;
+};
+
+/// Writes JSON as a WholeFile.
+void write_json(const std::string& path, const nlohmann::json& json);
+
+}  // namespace fairlight

@@ -1,0 +1,158 @@
+#include <fairlight/stats/betting_test.h>
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace fairlight {
+namespace {
+
+// A process bets at most this share of what it could lose, so that no single block can ruin it.
+constexpr double largest_stake = 0.9;
+
+// Biases far larger than the margin are found sooner with larger bets: a mixture of processes is again one.
+constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
+constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
+
+double log_mixture(const std::array<double, 3>& logs) {
+  const double top = *std::max_element(logs.begin(), logs.end());
+  double sum = 0;
+  for (std::size_t i = 0; i < logs.size(); ++i) sum += mixture_weights[i] * std::exp(logs[i] - top);
+  return top + std::log(sum);
+}
+
+double log_growth(double bet, double room, double gain) {
+  return std::log1p(std::min(bet, largest_stake / room) * gain);
+}
+
+}  // namespace
+
+BadDraw::BadDraw(std::uint64_t draw, double value, const char* problem)
+    : std::runtime_error("draw " + std::to_string(draw) + " is " + std::to_string(value) + " (" + problem + ")"),
+      draw_(draw) {}
+
+BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta)
+    : hypothesis_(hypothesis), alpha_(alpha), beta_(beta) {
+  const auto& h = hypothesis_;
+  if (!(alpha > 0 && alpha < 1)) throw std::invalid_argument("the level alpha must be in (0,1)");
+  if (!(beta > 0 && beta < 1)) throw std::invalid_argument("the miss rate beta must be in (0,1)");
+  if (!(h.margin > 0) || !std::isfinite(h.margin)) {
+    throw std::invalid_argument("the margin must be positive (no finite sample shows that a bias is exactly zero)");
+  }
+  if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper && std::isfinite(h.upper - h.lower))) {
+    throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
+  }
+  if (!(h.tail_slack >= 0 && h.tail_slack < h.margin)) {
+    throw std::invalid_argument("the tail slack must be nonnegative and below the margin (or nothing can be certified)");
+  }
+}
+
+// The variance of one draw, seen so far. One imaginary draw of the largest variance that the range allows keeps the
+// first bets modest; any predictable value leaves the test exact.
+double BettingTest::spread() const {
+  const double largest = (hypothesis_.upper - hypothesis_.mean) * (hypothesis_.mean - hypothesis_.lower);
+  return (moments_.squared_deviations() + largest) / static_cast<double>(moments_.count() + 1);
+}
+
+std::uint64_t BettingTest::block_size() const {
+  constexpr double largest_block = 65536;
+  const double range = std::max(hypothesis_.upper - hypothesis_.mean, hypothesis_.mean - hypothesis_.lower);
+  const double lossless = largest_stake * spread() / (hypothesis_.margin * range);
+  const double steady = static_cast<double>(moments_.count()) / 8;
+  return static_cast<std::uint64_t>(std::max(1.0, std::min({lossless, steady, largest_block})));
+}
+
+double BettingTest::bet(std::uint64_t block) const {
+  const double margin = hypothesis_.margin;
+  return margin / (spread() / static_cast<double>(block) + margin * margin);
+}
+
+BettingTest::Block BettingTest::summarise(std::span<const double> draws) {
+  double capped = 0;
+  std::uint64_t index = moments_.count();
+  for (double x : draws) {
+    if (!std::isfinite(x)) throw BadDraw(index, x, "not a finite number");
+    if (x < hypothesis_.lower) throw BadDraw(index, x, "below its declared lower bound");
+    if (x > hypothesis_.upper && hypothesis_.tail_slack == 0) {
+      throw BadDraw(index, x, "above its declared upper bound");
+    }
+    capped += std::min(x, hypothesis_.upper);
+    ++index;
+  }
+  const double bet_before = bet(draws.size());
+  const Moments block = Moments::of(draws);
+  moments_.merge(block);
+  return {block.mean(), capped / static_cast<double>(draws.size()), bet_before};
+}
+
+void BettingTest::add(std::span<const double> draws) {
+  if (draws.empty()) throw std::invalid_argument("a block must hold at least one draw");
+  if (verdict_ != Verdict::undecided) return;
+  const Block block = summarise(draws);
+  blocks_.push_back(block);
+  const auto& h = hypothesis_;
+  const double above = block.mean - h.mean;
+  const double below = h.mean - h.tail_slack - block.capped;
+  const double room_down = h.mean - h.lower;
+  const double room_up = h.upper - h.mean + h.tail_slack;
+  for (std::size_t i = 0; i < mixture_factors.size(); ++i) {
+    log_up_[i] += log_growth(mixture_factors[i] * block.bet, room_down, above);
+    log_down_[i] += log_growth(mixture_factors[i] * block.bet, room_up, below);
+  }
+  log_not_darker_ += log_growth(block.bet, room_down - h.margin, above + h.margin);
+  log_not_brighter_ += log_growth(block.bet, room_up - h.margin, below + h.margin);
+  decide();
+}
+
+void BettingTest::decide() {
+  const double reject = std::log(2 / alpha_);
+  const double accept = std::log(1 / beta_);
+  if (std::max(log_mixture(log_up_), log_mixture(log_down_)) >= reject) {
+    verdict_ = Verdict::biased;
+  } else if (std::min(log_not_darker_, log_not_brighter_) >= accept) {
+    verdict_ = Verdict::certified;
+  }
+}
+
+// On right code log U1 and log D1 drift by K/2 with variance K after n = K variance/margin^2 draws, so each is short
+// of log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta). Half as much again pays for bets placed
+// before the variance is known; the second term for bets that the range limits.
+double BettingTest::patience() const {
+  const double z = -boost::math::quantile(boost::math::normal(), std::min(alpha_, 0.5) / 2);
+  const double needed = std::log(1 / beta_);
+  const double root = z + std::sqrt(z * z + 2 * needed);
+  const double margin = hypothesis_.margin;
+  const double range = hypothesis_.upper - hypothesis_.lower;
+  return 1.5 * root * root * (spread() / (margin * margin) + range / margin);
+}
+
+Interval BettingTest::interval() const {
+  const auto& h = hypothesis_;
+  const double enough = std::log(1 / beta_);
+  // A bet is affordable against any candidate that leaves its process positive; beyond, the evidence counts as none.
+  auto evidence = [&](double candidate, bool above) {
+    double log_wealth = 0;
+    for (const Block& block : blocks_) {
+      const double room = above ? h.mean - h.lower : h.upper - h.mean + h.tail_slack;
+      const double stake = std::min(block.bet, largest_stake / room);
+      const double gain = above ? block.mean - candidate : candidate - h.tail_slack - block.capped;
+      log_wealth += std::log1p(stake * gain);
+    }
+    return log_wealth;
+  };
+  auto bisect = [&](double proven, double open, bool above) {
+    if (evidence(proven, above) < enough) return proven;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (proven + open);
+      (evidence(middle, above) >= enough ? proven : open) = middle;
+    }
+    return proven;
+  };
+  const double highest = h.lower + (h.mean - h.lower) / (1.05 * largest_stake);
+  const double lowest = h.upper - (h.upper - h.mean) / (1.05 * largest_stake);
+  return {bisect(h.lower, highest, true), bisect(h.upper, lowest, false)};
+}
+
+}  // namespace fairlight

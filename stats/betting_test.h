@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include <fairlight/stats/moments.h>
+#include <fairlight/stats/verdict.h>
+
+namespace fairlight {
+
+/// What is claimed of a random variable X: its mean, and the range that makes "too dark" testable.
+struct MeanHypothesis {
+  double mean;            ///< the reference, E[X]
+  double margin;          ///< the bias to exclude, in X's unit, > 0
+  double lower;           ///< X >= lower, always
+  double upper;           ///< X <= upper: always if tail_slack is 0, else but for E[(X - upper)+] <= tail_slack
+  double tail_slack = 0;  ///< in X's unit
+};
+
+/// A draw that the hypothesis rules out: not a number, infinite, or out of its declared range.
+class BadDraw : public std::runtime_error {
+ public:
+  BadDraw(std::uint64_t draw, double value, const char* problem);
+  std::uint64_t draw() const { return draw_; }
+
+ private:
+  std::uint64_t draw_;
+};
+
+/// Two-sided sequential test of a mean by betting, with an accept side.
+///
+/// Four wealth processes start at 1, and every bet uses earlier draws only:
+///   U0 = prod 1 + l (X - mean)                      grows when X is too bright
+///   D0 = prod 1 + l (mean - slack - min(X, upper))  grows when X is too dark
+///   D1 = D0 against mean + margin,  U1 = U0 against mean - margin
+/// `biased` when U0 or D0 reaches 2/alpha; `certified` when D1 and U1 both reach 1/beta. Each process is a
+/// nonnegative supermartingale under the hypothesis that it tests, so by Ville's inequality the error rates hold at
+/// any stopping time and any number of draws, with no appeal to normality. Draws come in blocks, whose means are bet
+/// on; the size of a block depends on earlier draws only.
+/// Source: Waudby-Smith and Ramdas 2024, "Estimating means of bounded random variables by betting"; Ville 1939.
+class BettingTest {
+ public:
+  /// alpha: level of `biased`; beta: miss rate of `certified`; both in (0,1).
+  /// Throws std::invalid_argument when the hypothesis is not lower < mean < upper with a positive margin.
+  BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta);
+
+  /// How many draws the next block should hold.
+  std::uint64_t block_size() const;
+
+  /// Adds one block of draws (any size from 1). Throws BadDraw, and is then unusable.
+  void add(std::span<const double> draws);
+
+  /// undecided until a threshold is reached; then it stands.
+  Verdict verdict() const { return verdict_; }
+
+  /// The number of draws after which right code is still undecided with probability at most alpha: where to give up.
+  double patience() const;
+
+  const Moments& moments() const { return moments_; }
+
+  /// Where the mean lies, in X's unit: each end is wrong with probability at most beta, at any stopping time.
+  Interval interval() const;
+
+ private:
+  struct Block {
+    double mean;    // of X
+    double capped;  // of min(X, upper)
+    double bet;     // l, before the cap that keeps a process positive
+  };
+
+  Block summarise(std::span<const double> draws);
+  double bet(std::uint64_t block) const;
+  double spread() const;
+  void decide();
+
+  MeanHypothesis hypothesis_;
+  double alpha_;
+  double beta_;
+  Verdict verdict_ = Verdict::undecided;
+  Moments moments_;
+  std::vector<Block> blocks_;
+  std::array<double, 3> log_up_{};    // log U0, one per rung of the mixture
+  std::array<double, 3> log_down_{};  // log D0
+  double log_not_darker_ = 0;         // log U1
+  double log_not_brighter_ = 0;       // log D1
+};
+
+}  // namespace fairlight

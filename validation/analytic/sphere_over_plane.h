@@ -1,0 +1,83 @@
+#pragma once
+
+#include <fairlight/render/path_tracer.h>
+#include <fairlight/validation/checks.h>
+
+namespace fairlight {
+
+/// Spheres of radiance Le over a diffuse floor of albedo rho. A sphere of radius r at distance d, wholly above the
+/// horizon, gives the irradiance E = pi Le (r/d)^2 cos(theta) with theta the angle of its centre: its directions fill
+/// a cone of half-angle asin(r/d), and the projected solid angle of a cone is pi sin^2 cos(theta) (Nusselt's analogue;
+/// Snyder 1996). The floor then shows rho E / pi, whatever the direction of view, and lights add up.
+struct SpheresOverPlane {
+  struct Light {
+    Vec3<double> centre;
+    double radius;
+    Rgb<double> radiance;
+  };
+
+  Scene scene;
+  std::vector<Light> lights;
+  Rgb<double> albedo{0.75, 0.5, 0.25};
+  // The floor is a sphere of radius 1e5 seen from without, so all of the lights stand above its horizon at the origin.
+  Ray<double> ray{{0, 3, 0}, {0, -1, 0}, -1};
+
+  explicit SpheresOverPlane(std::vector<Light> all) : lights(std::move(all)) {
+    scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, albedo, Rgb<double>::Zero());
+    for (const Light& light : lights) scene.add_sphere(light.centre, light.radius, Rgb<double>::Zero(), light.radiance);
+  }
+
+  /// The radiance of the floor at the origin.
+  double reference(int channel) const {
+    double sum = 0;
+    for (const Light& light : lights) {
+      const double ratio = light.radius / light.centre.norm();
+      sum += light.radiance[channel] * ratio * ratio * light.centre.y() / light.centre.norm();
+    }
+    return albedo[channel] * sum;
+  }
+
+  /// The largest shadow-ray term of a light: A Le f / d^2 with d the distance to its nearest point.
+  double largest_term(const Light& light, int channel) const {
+    const double nearest = light.centre.norm() - light.radius;
+    return 4 * light.radius * light.radius * light.radiance[channel] * albedo[channel] / (nearest * nearest);
+  }
+
+  double sum_of_terms(int channel) const {
+    double sum = 0;
+    for (const Light& light : lights) sum += largest_term(light, channel);
+    return sum;
+  }
+
+  double largest_radiance(int channel) const {
+    double largest = 0;
+    for (const Light& light : lights) largest = std::max(largest, light.radiance[channel]);
+    return largest;
+  }
+};
+
+inline SpheresOverPlane one_light() { return SpheresOverPlane({{{2.5, 3.0, 1.5}, 2, {1, 4, 2}}}); }
+
+/// Unequal in size, distance and power, and neither hides the other.
+inline SpheresOverPlane two_lights() {
+  return SpheresOverPlane({{{2.5, 3.0, 1.5}, 2, {1, 4, 2}}, {{-1.5, 2, -1}, 0.75, {3, 1, 8}}});
+}
+
+/// The floor's radiance through a path of one bounce. `bound` gives the largest draw of a channel.
+template <class Tracer, class Bound>
+Claim floor_claim(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& scene,
+                  double margin_factor, const Bound& bound) {
+  return {name, "mean", std::move(subjects),
+          "under " + std::to_string(scene.lights.size()) +
+              " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
+          "projected solid angle of a cone; Snyder 1996", margin_factor, [=](const Trial& trial) {
+            std::vector<Reference> references;
+            for (int c = 0; c < 3; ++c) references.push_back({scene.reference(c), 0, bound(scene, c) * (1 + 1e-9)});
+            const Tracer tracer(1);
+            return check_mean(trial, references, [&](auto& source) {
+              return tracer.template radiance<double>(scene.scene, scene.ray, source);
+            });
+          }};
+}
+
+}  // namespace fairlight

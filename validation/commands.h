@@ -1,0 +1,13 @@
+#pragma once
+
+#include <fairlight/render/render_command.h>
+
+namespace fairlight {
+
+/// Adds `verify` to the program.
+void add_verify_command(CLI::App& program, Command& command);
+
+/// Adds `audit` to the program.
+void add_audit_command(CLI::App& program, Command& command);
+
+}  // namespace fairlight

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <fairlight/validation/claim.h>
+
+namespace fairlight {
+
+/// A wrong estimator that the claims must catch.
+struct Fault {
+  std::string name;
+  std::string kind;           ///< its class, as in the field's record of shipped bugs
+  std::string source;         ///< where such a bug is on record
+  std::vector<Claim> claims;  ///< rows of the registry, by name, with the wrong component in the right one's place
+};
+
+const std::vector<Fault>& fault_catalogue();
+
+}  // namespace fairlight

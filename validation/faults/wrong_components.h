@@ -1,0 +1,54 @@
+#pragma once
+
+#include <fairlight/estimators/pick_one.h>
+#include <fairlight/estimators/roulette.h>
+#include <fairlight/estimators/sphere_light.h>
+#include <fairlight/render/direct_light.h>
+
+/// Wrong variants of the kit's components, each a bug that somebody shipped. They stand in for the right ones through
+/// the same template parameters, and are part of no library.
+namespace fairlight::faults {
+
+/// Points on a sphere with the polar angle uniform: crowded at the poles. The density still says uniform.
+/// On record: Smerity/montelight-cpp.
+template <class Real>
+struct ThetaUniformSphere : UniformSphereArea<Real> {
+  using UniformSphereArea<Real>::UniformSphereArea;
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    const Real theta = pi<Real> * u.x();
+    const Real phi = Real(2) * pi<Real> * u.y();
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+  }
+};
+
+/// Directions with the cosine's exponent 2 % too large. On record: the class of raytracing.github.io #145.
+template <class Real>
+struct SteepCosineHemisphere : CosineHemisphere<Real> {
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    const Real z = std::pow(Real(1) - u.x(), Real(1 / 2.02));
+    return detail::direction_at(z, Real(std::sqrt((Real(1) - z) * (Real(1) + z))), u.y());
+  }
+};
+
+/// Survivors are not paid for. On record: openmc #3511, chunky #1018, Montelight.
+struct UnpaidRoulette {
+  template <class Real>
+  static Survival<Real> play(Real q, Real u) {
+    return {u < q, Real(1)};
+  }
+};
+
+/// One luminaire for all of them, not weighted by their number. On record: the class of LuxCore #68.
+struct OneUnweighted {
+  template <class Real, UniformSource<Real> Source, class Term>
+  static auto sum(int n, Source& source, const Term& term) {
+    return term(UniformChoice<Real>(n).sample(source.next()).index, source);
+  }
+};
+
+/// Emission counted at every depth, beside the shadow rays. On record: the paper, A.2.
+struct EmissionTwice : DirectLight<AllOf> {
+  static constexpr bool counts_emission(int) { return true; }
+};
+
+}  // namespace fairlight::faults

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <fairlight/validation/checks.h>
+#include <fairlight/validation/domains.h>
+
+namespace fairlight {
+
+/// The row that says: this sampler's draws follow its density, which integrates to one.
+/// The margin is a relative L2 distance of laws, five times that of a mean.
+template <Sampler Law, class Domain>
+Claim law_claim(const std::string& name, const std::string& subject, const std::string& source, const Law& law,
+                const Domain& domain) {
+  return {name + ".law",
+          "law",
+          {subject},
+          "the draws follow the stated density, which integrates to one",
+          source,
+          5,
+          [=](const Trial& trial) { return check_law(trial, law, domain); }};
+}
+
+/// Pairs of numbers of a stream, as they come: uniform on the unit square.
+struct StreamPairs {
+  using Scalar = double;
+  using Point = Vec2<double>;
+  using Measure = UnitCube;
+  Point sample(const Vec2<double>& u) const { return u; }
+  Density<Measure, double> pdf(const Point&) const { return Density<Measure, double>(1); }
+};
+
+}  // namespace fairlight

@@ -1,0 +1,125 @@
+#include <fairlight/validation/registry.h>
+
+#include <fnmatch.h>
+
+#include <stdexcept>
+
+#include <fairlight/estimators/filter.h>
+#include <fairlight/validation/agreements.h>
+#include <fairlight/validation/analytic/furnace.h>
+#include <fairlight/validation/analytic/integrals.h>
+#include <fairlight/validation/analytic/sphere_over_plane.h>
+#include <fairlight/validation/laws.h>
+
+namespace fairlight {
+namespace {
+
+template <class Direct, class Roulette, template <class> class Directions = CosineHemisphere>
+using Tracer = PathTracer<Directions, Direct, Roulette>;
+using All = DirectLight<AllOf>;
+using One = DirectLight<OneOf>;
+using Roulette = RouletteByReflectance<>;
+
+void add_laws(std::vector<Claim>& claims) {
+  claims.push_back(law_claim("stream.philox", "PhiloxStream", "Salmon et al. 2011", StreamPairs{}, SquareDomain{0, 1}));
+  claims.push_back(law_claim("hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2", UniformHemisphere<double>{},
+                             HemisphereDomain{}));
+  claims.push_back(law_claim("hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3", CosineHemisphere<double>{},
+                             HemisphereDomain{}));
+  claims.push_back(law_claim("sphere_light.area", "UniformSphereArea", "Archimedes", UniformSphereArea<double>(2.5),
+                             SphereDomain{2.5}));
+  claims.push_back(law_claim("filter.tent", "TentFilter", "Ernst, Stamminger, Greiner 2006", TentFilter<double>{},
+                             SquareDomain{-1, 1}));
+}
+
+void add_components(std::vector<Claim>& claims) {
+  constexpr double tau = 2 * std::numbers::pi;
+  claims.push_back(hemisphere_integral<UniformHemisphere>("importance.uniform.cosine", "UniformHemisphere", 1, tau));
+  claims.push_back(
+      hemisphere_integral<CosineHemisphere>("importance.cosine.cosine_squared", "CosineHemisphere", 2, tau / 2));
+  claims.push_back(lambertian_albedo<UniformHemisphere>("lambertian.uniform.albedo", "UniformHemisphere"));
+  claims.push_back(lambertian_constant());
+  claims.push_back(roulette_integral<RussianRoulette>("roulette.integral", 0.3));
+  claims.push_back(two_dice<AllOf>("pick.all.dice", {"AllOf"}));
+  claims.push_back(two_dice<OneOf>("pick.one.dice", {"OneOf", "UniformChoice"}));
+}
+
+void add_furnaces(std::vector<Claim>& claims) {
+  claims.push_back(furnace_claim<Tracer<NoDirectLight, Roulette>>(
+      "furnace.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
+  claims.push_back(
+      furnace_claim<Tracer<All, Roulette>>("furnace.light", {"PathTracer", "DirectLight", "RouletteByReflectance"}));
+  claims.push_back(furnace_partial_sum<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
+      "furnace.depth3.uniform", {"PathTracer", "NoRoulette", "UniformHemisphere"}, 3, 2));
+  claims.push_back(furnace_partial_sum<Tracer<All, NoRoulette, UniformHemisphere>>(
+      "furnace.depth3.light", {"PathTracer", "NoRoulette", "DirectLight"}, 3, 2));
+}
+
+void add_direct_light(std::vector<Claim>& claims) {
+  const auto all_terms = [](const SpheresOverPlane& s, int c) { return s.sum_of_terms(c); };
+  const auto one_term = [](const SpheresOverPlane& s, int c) {
+    double largest = 0;
+    for (const auto& light : s.lights) largest = std::max(largest, s.largest_term(light, c));
+    return static_cast<double>(s.lights.size()) * largest;
+  };
+  const auto cosine_hit = [](const SpheresOverPlane& s, int c) { return s.albedo[c] * s.largest_radiance(c); };
+  const auto uniform_hit = [=](const SpheresOverPlane& s, int c) { return 2 * cosine_hit(s, c); };
+  claims.push_back(floor_claim<Tracer<All, NoRoulette>>("sphere_over_plane.light", {"DirectLight", "UniformSphereArea"},
+                                                        one_light(), 1, all_terms));
+  claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette>>(
+      "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, one_light(), 2, cosine_hit));
+  claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
+      "sphere_over_plane.uniform", {"NoDirectLight", "UniformHemisphere"}, one_light(), 2, uniform_hit));
+  claims.push_back(
+      floor_claim<Tracer<All, NoRoulette>>("two_lights.all", {"DirectLight", "AllOf"}, two_lights(), 1, all_terms));
+  claims.push_back(
+      floor_claim<Tracer<One, NoRoulette>>("two_lights.one", {"DirectLight", "OneOf"}, two_lights(), 1, one_term));
+}
+
+void add_agreements(std::vector<Claim>& claims) {
+  claims.push_back(one_against_all<Tracer<One, NoRoulette>, Tracer<All, NoRoulette>>("two_lights.one_against_all"));
+  claims.push_back(roulette_on_against_off<Tracer<All, Roulette>, Tracer<All, NoRoulette>>("cornell.roulette"));
+}
+
+std::vector<Claim> build() {
+  std::vector<Claim> claims;
+  add_laws(claims);
+  add_components(claims);
+  add_furnaces(claims);
+  add_direct_light(claims);
+  add_agreements(claims);
+  return claims;
+}
+
+bool matches(const std::string& pattern, const std::string& name) {
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0 || name.starts_with(pattern + ".");
+}
+
+}  // namespace
+
+const std::vector<Claim>& registry() {
+  static const std::vector<Claim> claims = build();
+  return claims;
+}
+
+std::vector<const Claim*> select_claims(const std::vector<std::string>& patterns) {
+  std::vector<bool> chosen(registry().size(), patterns.empty());
+  for (const std::string& pattern : patterns) {
+    bool found = false;
+    for (std::size_t i = 0; i < registry().size(); ++i) {
+      if (!matches(pattern, registry()[i].name)) continue;
+      chosen[i] = found = true;
+    }
+    if (found) continue;
+    std::string known;
+    for (const Claim& claim : registry()) known += " " + claim.name;
+    throw std::invalid_argument("no claim matches \"" + pattern + "\" (there are:" + known + ")");
+  }
+  std::vector<const Claim*> claims;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (chosen[i]) claims.push_back(&registry()[i]);
+  }
+  return claims;
+}
+
+}  // namespace fairlight

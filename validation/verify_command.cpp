@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include <fairlight/estimators/seed.h>
+#include <fairlight/render/parallel.h>
+#include <fairlight/render/progress.h>
+#include <fairlight/render/whole_file.h>
+#include <fairlight/validation/commands.h>
+#include <fairlight/validation/conformance.h>
+#include <fairlight/validation/registry.h>
+#include <fairlight/validation/report.h>
+
+namespace fairlight {
+namespace {
+
+struct VerifyOptions {
+  std::vector<std::string> claims;
+  bool list = false;
+  std::string seed, json;
+  Conformance conformance{.seed = 0, .threads = hardware_threads()};
+};
+
+int list(const std::vector<const Claim*>& claims) {
+  for (const Claim* claim : claims) {
+    std::printf("%-34s %-10s %s\n", claim->name.c_str(), claim->kind.c_str(), claim->statement.c_str());
+  }
+  return 0;
+}
+
+int exit_status(Verdict verdict) {
+  return verdict == Verdict::certified ? 0 : verdict == Verdict::biased ? 1 : 3;
+}
+
+void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
+  const Verdict verdict = overall(outcomes);
+  const auto failures = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& outcome) {
+    return outcome.finding.verdict != Verdict::certified;
+  });
+  if (verdict == Verdict::certified) {
+    std::printf("certified: all of %zu claims hold to within their margins", outcomes.size());
+  } else {
+    std::printf("%s: %td of %zu claims failed", name(verdict), failures, outcomes.size());
+  }
+  std::printf(" (%.1f s, seed %s, false alarms %.0e a run, miss rate %.0e a claim)\n", seconds,
+              seed_text(conformance.seed).c_str(), conformance.budget, conformance.beta);
+}
+
+int verify(const VerifyOptions& options) {
+  const std::vector<const Claim*> claims = select_claims(options.claims);
+  if (options.list) return list(claims);
+  if (!options.json.empty()) WholeFile::check_writable(options.json);
+  Conformance conformance = options.conformance;
+  conformance.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<Outcome> outcomes = run_claims(claims, conformance, progress_bar("verify"));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!options.json.empty()) write_json(options.json, outcomes_json(outcomes, conformance, seconds));
+  print_outcomes(stdout, outcomes, conformance);
+  print_verdict(outcomes, conformance, seconds);
+  return exit_status(overall(outcomes));
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& program, Command& command) {
+  auto* app = program.add_subcommand("verify", "Certify the estimators: each claim certified, biased or undecided");
+  auto options = std::make_shared<VerifyOptions>();
+  app->add_option("claims", options->claims, "Which claims: names, their first parts, or patterns; all if none given")
+      ->type_name("CLAIM");
+  app->add_flag("--list", options->list, "List the claims, and run nothing");
+  app->add_option("--margin", options->conformance.margin, "The relative bias to exclude")->capture_default_str();
+  app->add_option("--budget", options->conformance.budget, "The probability of a false alarm in a whole run")
+      ->capture_default_str();
+  app->add_option("--seed", options->seed, "Replays a run: the 16 hexadecimal digits that it printed");
+  app->add_option("--json", options->json, "The outcomes, as JSON")->type_name("F.json");
+  app->add_option("--threads", options->conformance.threads, "Threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app->callback([options, &command] { command = [options] { return verify(*options); }; });
+}
+
+}  // namespace fairlight
