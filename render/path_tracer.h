@@ -61,6 +61,8 @@ class PathTracer {
       const SurfaceBsdf<Real, Directions> bsdf(surface.albedo, vertex.normal);
       sum += throughput * Direct::template estimate<Real>(scene, vertex, bsdf, source);
 
+      if (depth + 1 == max_depth_ && !Direct::counts_emission(max_depth_)) return sum;
+
       const auto [alive, weight] = Roulette::template play<Real>(surface.albedo, source);
       if (!alive) return sum;
       const auto bounce = bsdf.sample_world(next_pair<Real>(source));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -109,7 +110,10 @@ void BettingTest::add(std::span<const double> draws) {
 void BettingTest::decide() {
   const double reject = std::log(2 / alpha_);
   const double accept = std::log(1 / beta_);
-  if (std::max(log_mixture(log_up_), log_mixture(log_down_)) >= reject) {
+  const auto refutes = [reject](const std::array<double, 3>& logs) {
+    return *std::max_element(logs.begin(), logs.end()) >= reject && log_mixture(logs) >= reject;  // a mixture is <= its top
+  };
+  if (refutes(log_up_) || refutes(log_down_)) {
     verdict_ = Verdict::biased;
   } else if (std::min(log_not_darker_, log_not_brighter_) >= accept) {
     verdict_ = Verdict::certified;
@@ -128,31 +132,33 @@ double BettingTest::patience() const {
   return 1.5 * root * root * (spread() / (margin * margin) + range / margin);
 }
 
+// Evidence that the mean is above (or below) a candidate: the log wealth of betting against it, decreasing as the
+// candidate moves towards the draws. Bets stay affordable against any candidate inside the search.
+double BettingTest::evidence(double candidate, bool above) const {
+  const auto& h = hypothesis_;
+  const double room = above ? h.mean - h.lower : h.upper - h.mean + h.tail_slack;
+  double log_wealth = 0;
+  for (const Block& block : blocks_) {
+    const double gain = above ? block.mean - candidate : candidate - h.tail_slack - block.capped;
+    log_wealth += std::log1p(std::min(block.bet, largest_stake / room) * gain);
+  }
+  return log_wealth - std::log(1 / beta_);
+}
+
 Interval BettingTest::interval() const {
   const auto& h = hypothesis_;
-  const double enough = std::log(1 / beta_);
-  // A bet is affordable against any candidate that leaves its process positive; beyond, the evidence counts as none.
-  auto evidence = [&](double candidate, bool above) {
-    double log_wealth = 0;
-    for (const Block& block : blocks_) {
-      const double room = above ? h.mean - h.lower : h.upper - h.mean + h.tail_slack;
-      const double stake = std::min(block.bet, largest_stake / room);
-      const double gain = above ? block.mean - candidate : candidate - h.tail_slack - block.capped;
-      log_wealth += std::log1p(stake * gain);
-    }
-    return log_wealth;
-  };
-  auto bisect = [&](double proven, double open, bool above) {
-    if (evidence(proven, above) < enough) return proven;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (proven + open);
-      (evidence(middle, above) >= enough ? proven : open) = middle;
-    }
-    return proven;
+  const auto end = [this](double proven, double open, bool above) {
+    const auto excess = [&](double candidate) { return evidence(candidate, above); };
+    if (excess(proven) < 0) return proven;
+    if (excess(open) >= 0) return open;
+    std::uintmax_t iterations = 100;
+    const auto bracket = boost::math::tools::toms748_solve(excess, std::min(proven, open), std::max(proven, open),
+                                                           boost::math::tools::eps_tolerance<double>(30), iterations);
+    return above ? bracket.first : bracket.second;
   };
   const double highest = h.lower + (h.mean - h.lower) / (1.05 * largest_stake);
   const double lowest = h.upper - (h.upper - h.mean) / (1.05 * largest_stake);
-  return {bisect(h.lower, highest, true), bisect(h.upper, lowest, false)};
+  return {end(h.lower, highest, true), end(h.upper, lowest, false)};
 }
 
 }  // namespace fairlight

@@ -74,6 +74,7 @@ class BettingTest {
   Block summarise(std::span<const double> draws);
   double bet(std::uint64_t block) const;
   double spread() const;
+  double evidence(double candidate, bool above) const;
   void decide();
 
   MeanHypothesis hypothesis_;

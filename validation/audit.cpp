@@ -34,9 +34,10 @@ std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds
     for (std::size_t s = 0; s < per_cell; ++s) {
       const Finding& finding = findings[c * per_cell + s];
       outcome.effect += finding.bias / seeds;
-      outcome.draws += finding.draws / per_cell;
+      outcome.draws += finding.draws;
       outcome.caught += finding.verdict == Verdict::biased ? 1 : 0;
     }
+    outcome.draws /= per_cell;
     outcomes.push_back(outcome);
   }
   return outcomes;

@@ -67,9 +67,9 @@ void add_direct_light(std::vector<Claim>& claims) {
   claims.push_back(floor_claim<Tracer<All, NoRoulette>>("sphere_over_plane.light", {"DirectLight", "UniformSphereArea"},
                                                         one_light(), 1, all_terms));
   claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette>>(
-      "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, one_light(), 2, cosine_hit));
+      "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, large_light(), 2, cosine_hit));
   claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
-      "sphere_over_plane.uniform", {"NoDirectLight", "UniformHemisphere"}, one_light(), 2, uniform_hit));
+      "sphere_over_plane.uniform", {"NoDirectLight", "UniformHemisphere"}, large_light(), 2, uniform_hit));
   claims.push_back(
       floor_claim<Tracer<All, NoRoulette>>("two_lights.all", {"DirectLight", "AllOf"}, two_lights(), 1, all_terms));
   claims.push_back(

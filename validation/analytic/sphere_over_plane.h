@@ -56,11 +56,14 @@ struct SpheresOverPlane {
   }
 };
 
-inline SpheresOverPlane one_light() { return SpheresOverPlane({{{2.5, 3.0, 1.5}, 2, {1, 4, 2}}}); }
+inline SpheresOverPlane one_light() { return SpheresOverPlane({{{3, 5, 2}, 1.5, {1, 4, 2}}}); }
+
+/// So near that bounces find it often.
+inline SpheresOverPlane large_light() { return SpheresOverPlane({{{2.5, 3.0, 1.5}, 2, {1, 4, 2}}}); }
 
 /// Unequal in size, distance and power, and neither hides the other.
 inline SpheresOverPlane two_lights() {
-  return SpheresOverPlane({{{2.5, 3.0, 1.5}, 2, {1, 4, 2}}, {{-1.5, 2, -1}, 0.75, {3, 1, 8}}});
+  return SpheresOverPlane({{{3, 5, 2}, 1.5, {1, 4, 2}}, {{-2, 4, -1.5}, 0.6, {12, 8, 20}}});
 }
 
 /// The floor's radiance through a path of one bounce. `bound` gives the largest draw of a channel.
