@@ -25,6 +25,7 @@ struct RussianRoulette {
 };
 
 /// An estimator that is run with probability q and counted 1/q times: the same mean. Bound: the estimator's over q.
+/// Source   Arvo and Kirk 1990
 template <class Inner, class Real, class Roulette = RussianRoulette>
 class Rouletted {
  public:
@@ -53,7 +54,8 @@ struct RouletteByReflectance {
   }
 };
 
-/// Every path goes on, to the maximum depth.
+/// Every path goes on, to the maximum depth: the sum of the terms up to there.
+/// Source   the paper, 3.2.1 ("truncated light paths after a fixed depth")
 struct NoRoulette {
   template <class Real, UniformSource<Real> Source>
   static Survival<Real> play(const Rgb<Real>&, Source&) {

@@ -132,17 +132,17 @@ double BettingTest::patience() const {
   return 1.5 * root * root * (spread() / (margin * margin) + range / margin);
 }
 
-// Evidence that the mean is above (or below) a candidate: the log wealth of betting against it, decreasing as the
-// candidate moves towards the draws. Bets stay affordable against any candidate inside the search.
+// Evidence that the mean is above (or below) a candidate: the log wealth of betting against it with the whole mixture,
+// decreasing as the candidate moves towards the draws. Bets stay affordable against any candidate inside the search.
 double BettingTest::evidence(double candidate, bool above) const {
   const auto& h = hypothesis_;
   const double room = above ? h.mean - h.lower : h.upper - h.mean + h.tail_slack;
-  double log_wealth = 0;
+  std::array<double, 3> logs{};
   for (const Block& block : blocks_) {
     const double gain = above ? block.mean - candidate : candidate - h.tail_slack - block.capped;
-    log_wealth += std::log1p(std::min(block.bet, largest_stake / room) * gain);
+    for (std::size_t i = 0; i < logs.size(); ++i) logs[i] += log_growth(mixture_factors[i] * block.bet, room, gain);
   }
-  return log_wealth - std::log(1 / beta_);
+  return log_mixture(logs) - std::log(mixture_weights[0] / beta_);
 }
 
 Interval BettingTest::interval() const {

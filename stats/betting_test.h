@@ -61,7 +61,8 @@ class BettingTest {
 
   const Moments& moments() const { return moments_; }
 
-  /// Where the mean lies, in X's unit: each end is wrong with probability at most beta, at any stopping time.
+  /// Where the mean lies, in X's unit: each end is wrong with probability at most 1.25 beta, at any stopping time. (The
+  /// processes that certify bet as the first of the mixture's three, whose weight is 0.8, so what they show, it shows.)
   Interval interval() const;
 
  private:

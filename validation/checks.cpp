@@ -94,8 +94,10 @@ Finding check_means(const Trial& trial, const std::vector<Reference>& references
   for (std::size_t c = 0; c < tests.size(); ++c) {
     const Finding finding = channel_finding(tests[c], references[c], trial.margin);
     const Verdict verdict = c == 0 ? finding.verdict : worse(worst.verdict, finding.verdict);
+    const std::uint64_t draws = std::max(worst.draws, finding.draws);
     if (c == 0 || std::abs(finding.bias) > std::abs(worst.bias)) worst = finding;
     worst.verdict = verdict;
+    worst.draws = draws;
   }
   return worst;
 }

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include <fairlight/render/render_command.h>
 #include <fairlight/validation/commands.h>
@@ -13,7 +14,6 @@ int run(int argc, char** argv) {
   CLI::App program("Monte Carlo light transport, statistically verified");
   program.name("fairlight");
   program.set_version_flag("--version", fairlight::version);
-  program.require_subcommand(1);
   fairlight::Command command;
   fairlight::add_verify_command(program, command);
   fairlight::add_audit_command(program, command);
@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "fairlight: %s (see fairlight --help)\n", error.what());
     return bad_input;
   }
+  if (!command) throw std::invalid_argument("no command was given (verify, audit, render, merge or scenes)");
   return command();
 }
 

@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/filter.h>
+#include <support/unit_square.h>
+
+namespace fairlight {
+namespace {
+
+static_assert(Sampler<TentFilter<double>>);
+
+TEST(TentFilter, IsOneAtTheCentreAndZeroAtTheNeighbours) {
+  const TentFilter<double> tent;
+  EXPECT_EQ(tent.pdf({0, 0}).value(), 1);
+  EXPECT_EQ(tent.pdf({0.5, -0.5}).value(), 0.25);
+  EXPECT_EQ(tent.pdf({1, 0}).value(), 0);
+  EXPECT_EQ(tent.pdf({0, -1.5}).value(), 0);
+}
+
+TEST(TentFilter, InvertsItsDistributionFunction) {
+  // P(X <= x) is (1 + x)^2 / 2 left of the centre and 1 - (1 - x)^2 / 2 right of it.
+  EXPECT_EQ(TentFilter<double>().sample({0.125, 0.875}), Vec2<double>(-0.5, 0.5));
+  EXPECT_EQ(TentFilter<double>().sample({0.5, 0}), Vec2<double>(0, -1));
+}
+
+TEST(TentFilter, StaysInItsDomainAtTheEdgesOfTheSquare) {
+  for (const Vec2<double>& u : testing::edge_points()) {
+    const Vec2<double> x = TentFilter<double>().sample(u);
+    EXPECT_LE(x.cwiseAbs().maxCoeff(), 1) << u.transpose();
+  }
+}
+
+RC_GTEST_PROP(TentFilter, HasTheJacobianOneOverItsDensity, ()) {
+  const TentFilter<double> tent;
+  const Vec2<double> u = Vec2<double>::Constant(0.01) + 0.98 * *testing::unit_point();
+  constexpr double h = 1e-7;
+  RC_PRE((u.array() - 0.5).abs().minCoeff() > h);  // the tent has a kink there
+  const Vec2<double> wide = (tent.sample(u + Vec2<double>(h, h)) - tent.sample(u - Vec2<double>(h, h))) / (2 * h);
+  RC_ASSERT(std::abs(wide.prod() * tent.pdf(tent.sample(u)).value() - 1) < 1e-5);
+}
+
+}  // namespace
+}  // namespace fairlight

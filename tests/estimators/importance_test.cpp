@@ -1,0 +1,20 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/importance.h>
+#include <support/scripted_source.h>
+
+namespace fairlight {
+namespace {
+
+TEST(Importance, IsTheIntegrandOverTheDensityAtTheDraw) {
+  const Importance estimator(UniformHemisphere<double>{}, [](const Vec3<double>& w) { return w.z(); });
+  testing::ScriptedSource source({0.25, 0.5});
+  EXPECT_DOUBLE_EQ(estimator.estimate(source), 0.25 * 2 * M_PI);
+  EXPECT_TRUE(source.exhausted());
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include <fairlight/estimators/lambertian.h>
+#include <support/unit_square.h>
+
+namespace fairlight {
+namespace {
+
+const Rgb<double> albedo(0.75, 0.5, 0.25);
+
+TEST(Lambertian, ReflectsAlbedoOverPi) {
+  const Lambertian<double> surface(albedo);
+  EXPECT_TRUE(surface.eval({0, 0, 1}).isApprox(albedo / M_PI, 1e-15));
+  EXPECT_TRUE(surface.eval({0, 0.8, 0.6}).isApprox(albedo / M_PI, 1e-15));
+  EXPECT_TRUE((surface.eval({0, 0.8, -0.6}) == 0).all());
+}
+
+TEST(Lambertian, WeighsAUniformBounceTwiceTheCosine) {
+  const Lambertian<double, UniformHemisphere> surface(albedo);
+  const auto bounce = surface.sample({0.25, 0.5});
+  EXPECT_TRUE(bounce.weight.isApprox(albedo * 0.5, 1e-15));
+}
+
+template <template <class> class Directions>
+void check_weight() {
+  rc::check([] {
+    const Lambertian<double, Directions> surface(albedo);
+    const auto bounce = surface.sample(*testing::unit_point());
+    const Rgb<double> expected = surface.eval(bounce.direction) * bounce.direction.z() / surface.pdf(bounce.direction);
+    RC_ASSERT((bounce.weight - expected).abs().maxCoeff() <= 1e-15);
+  });
+}
+
+TEST(Lambertian, WeighsABounceByReflectanceCosineAndDensity) {
+  check_weight<CosineHemisphere>();
+  check_weight<UniformHemisphere>();
+}
+
+TEST(Lambertian, GivesFiniteWeightsAtTheEdgesOfTheSquare) {
+  for (const Vec2<double>& u : testing::edge_points()) {
+    EXPECT_TRUE(Lambertian<double>(albedo).sample(u).weight.isApprox(albedo, 1e-15)) << u.transpose();
+    const auto uniform = Lambertian<double, UniformHemisphere>(albedo).sample(u);
+    EXPECT_TRUE((uniform.weight >= 0).all() && (uniform.weight <= 2).all()) << u.transpose();
+  }
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/vec.h>
+#include <support/unit_square.h>
+
+namespace fairlight {
+namespace {
+
+void expect_orthonormal(const Vec3<double>& normal) {
+  const Frame<double> frame(normal);
+  const Vec3<double> x = frame.to_world({1, 0, 0});
+  const Vec3<double> y = frame.to_world({0, 1, 0});
+  EXPECT_EQ(frame.to_world({0, 0, 1}), normal);
+  EXPECT_LE(std::abs(x.dot(y)) + std::abs(x.dot(normal)) + std::abs(y.dot(normal)), 1e-15) << normal.transpose();
+  EXPECT_LE((x.cross(y) - normal).norm(), 2e-15) << normal.transpose();
+}
+
+TEST(Frame, IsOrthonormalAboutTheAxesAndNearThePole) {
+  for (int i = 0; i < 3; ++i) {
+    expect_orthonormal(Vec3<double>::Unit(i));
+    expect_orthonormal(-Vec3<double>::Unit(i));
+  }
+  expect_orthonormal(Vec3<double>(1e-9, -1e-9, -1).normalized());
+}
+
+RC_GTEST_PROP(Frame, TakesAVectorThereAndBack, ()) {
+  Vec3<double> normal = UniformHemisphere<double>().sample(*testing::unit_point());
+  if (*rc::gen::arbitrary<bool>()) normal = -normal;
+  const Frame<double> frame(normal);
+  const Vec3<double> local = UniformHemisphere<double>().sample(*testing::unit_point());
+  RC_ASSERT((frame.to_local(frame.to_world(local)) - local).norm() <= 4e-15);
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fairlight/validation/registry.h>
+#include <support/house.h>
+#include <support/temporary_folder.h>
+
+namespace fairlight {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::components_without_papers;
+using testing::includes_up_the_chain;
+using testing::TemporaryFolder;
+using testing::write_file;
+
+std::set<std::string> registered() {
+  std::set<std::string> subjects;
+  for (const Claim& claim : registry()) subjects.insert(claim.subjects.begin(), claim.subjects.end());
+  return subjects;
+}
+
+TEST(House, IncludesPointDownTheChain) { EXPECT_THAT(includes_up_the_chain(FAIRLIGHT_SOURCE_DIR), IsEmpty()); }
+
+TEST(House, EveryComponentHasItsPapers) {
+  EXPECT_THAT(components_without_papers(FAIRLIGHT_SOURCE_DIR, registered()), IsEmpty());
+}
+
+TEST(House, NoticesAnIncludeThatPointsUp) {
+  const TemporaryFolder tree;
+  write_file(tree / "stats/budget.h", "#include <fairlight/stats/verdict.h>\n");
+  EXPECT_THAT(includes_up_the_chain(tree.path()), IsEmpty());
+  write_file(tree / "stats/verdict.cpp", "#include <fairlight/estimators/vec.h>\n");
+  EXPECT_THAT(includes_up_the_chain(tree.path()), Contains(HasSubstr("stats/verdict.cpp includes estimators")));
+}
+
+// A sampler with all its papers, from which a test takes one away.
+struct Papers {
+  std::string comment = "/// Formula  p\n/// Measure  m\n/// Domain   d\n/// Random   u\n/// Source   s\n";
+  std::string test = "Disk";
+  std::string docs = "## Disk\n";
+  std::set<std::string> rows{"Disk"};
+
+  std::vector<std::string> problems() const {
+    const TemporaryFolder tree;
+    write_file(tree / "estimators/disk.h",
+               comment + "template <class Real>\nstruct Disk {\n  P sample(U u) const;\n  D pdf(P x) const;\n};\n");
+    write_file(tree / "tests/estimators/disk_test.cpp", test);
+    write_file(tree / "docs/estimators.md", docs);
+    return components_without_papers(tree.path(), rows);
+  }
+};
+
+TEST(House, NoticesASamplerWithoutARegistryRow) {
+  Papers papers;
+  EXPECT_THAT(papers.problems(), IsEmpty());
+  papers.rows = {"Dusk"};
+  EXPECT_THAT(papers.problems(), Contains("Disk has no row in the registry"));
+}
+
+TEST(House, NoticesASamplerWithoutATest) {
+  Papers papers;
+  papers.test = "";
+  EXPECT_THAT(papers.problems(), Contains("Disk has no test in tests/estimators/disk_test.cpp"));
+}
+
+TEST(House, NoticesASamplerWithoutASectionInTheDocs) {
+  Papers papers;
+  papers.docs = "## Disks\n";
+  EXPECT_THAT(papers.problems(), Contains("Disk has no section in docs/estimators.md"));
+}
+
+TEST(House, NoticesASamplerThatDoesNotNameItsMeasure) {
+  Papers papers;
+  papers.comment = "/// Formula  p\n/// Domain   d\n/// Random   u\n/// Source   s\n";
+  EXPECT_THAT(papers.problems(), Contains("Disk has no field Measure"));
+}
+
+}  // namespace
+}  // namespace fairlight

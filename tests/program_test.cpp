@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include <support/temporary_folder.h>
+
+// The program as a person meets it: exit status, one sentence on standard error, nothing half-written.
+namespace fairlight {
+namespace {
+
+using testing::read_file;
+using testing::TemporaryFolder;
+using testing::write_file;
+
+struct Result {
+  int status;
+  std::string out, error;
+};
+
+Result shell(const std::string& command, const TemporaryFolder& folder) {
+  const std::string out = folder / "stdout";
+  const std::string error = folder / "stderr";
+  const int status = std::system(("cd '" + folder.path().string() + "' && " + command + " >stdout 2>stderr").c_str());
+  const Result run{WEXITSTATUS(status), read_file(out), read_file(error)};
+  std::filesystem::remove(out);
+  std::filesystem::remove(error);
+  return run;
+}
+
+Result fairlight(const std::string& arguments, const TemporaryFolder& folder) {
+  return shell(std::string(FAIRLIGHT_PROGRAM) + " " + arguments, folder);
+}
+
+void expect_bad_input(const std::string& arguments, const std::string& says) {
+  const TemporaryFolder folder;
+  const Result run = fairlight(arguments, folder);
+  EXPECT_EQ(run.status, 2) << arguments;
+  EXPECT_TRUE(run.error.starts_with("fairlight: ")) << arguments << "\n" << run.error;
+  EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << arguments << "\n" << run.error;
+  EXPECT_NE(run.error.find(says), std::string::npos) << arguments << "\n" << run.error;
+  EXPECT_EQ(folder.files(), 0) << arguments;
+}
+
+const std::string small = "render cornell-simple --width 20 --height 10 --seed 9 ";
+
+TEST(Program, RefusesBadInputInOneSentence) {
+  expect_bad_input("", "render");
+  expect_bad_input("rendr", "rendr");
+  expect_bad_input("render cornel --spp 1 -o a.exr", "cornell-simple");
+  expect_bad_input("render cornell-simple --spp 1", "-o");
+  expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounce sideways", "uniform");
+  expect_bad_input("render cornell-simple --spp 1 -o a.exr --colour", "--colour");
+  expect_bad_input(small + "--spp 0 -o a.exr", "spp");
+  expect_bad_input(small + "--spp -3 -o a.exr", "spp");
+  expect_bad_input("render cornell-simple --spp 1 --width 0 -o a.exr", "width");
+  expect_bad_input("render cornell-simple --spp 1 --height -5 -o a.exr", "height");
+  expect_bad_input(small + "--spp 1 --threads 0 -o a.exr", "threads");
+  expect_bad_input(small + "--spp 1 --max-depth -1 -o a.exr", "max-depth");
+  expect_bad_input(small + "--spp 1 --roulette off -o a.exr", "--max-depth");
+  expect_bad_input(small + "--spp 1 --shard 3/2 -o a.exr", "3/2");
+  expect_bad_input(small + "--spp 1 --shard 1/2 -o a.exr", "empty");
+  expect_bad_input("render cornell-simple --spp 1 --seed xyz -o a.exr", "xyz");
+  expect_bad_input(small + "--spp 1 -o missing/a.exr", "missing/a.exr");
+  expect_bad_input(small + "--spp 1 -o a.exr --png missing/a.png", "missing/a.png");
+  expect_bad_input(small + "--spp 1 -o a.exr --resume none.exr", "none.exr");
+  expect_bad_input("merge none.exr -o a.exr", "none.exr");
+  expect_bad_input("verify hemisphere.cosine.lw", "hemisphere.cosine.law");
+  expect_bad_input("verify pick --seed 12q", "12q");
+  expect_bad_input("verify pick --margin 0", "margin");
+  expect_bad_input("verify pick --margin 2", "margin");
+  expect_bad_input("verify pick --budget 1", "budget");
+  expect_bad_input("verify pick --json missing/a.json", "missing/a.json");
+  expect_bad_input("audit faults --seeds 0", "seeds");
+}
+
+TEST(Program, GivesHelpForEveryCommand) {
+  const TemporaryFolder folder;
+  for (const char* command : {"", "verify", "audit", "audit faults", "render", "merge", "scenes"}) {
+    const Result run = fairlight(std::string(command) + " --help", folder);
+    EXPECT_EQ(run.status, 0) << command;
+    EXPECT_GT(run.out.size(), 40u) << command;
+  }
+}
+
+TEST(Program, RendersTheSameBytesForAnyThreads) {
+  const TemporaryFolder folder;
+  for (const char* threads : {"1", "2", "7"}) {
+    const Result run = fairlight(small + "--spp 4 -o " + threads + ".exr --threads " + threads, folder);
+    EXPECT_EQ(run.status, 0) << run.error;
+    EXPECT_EQ(run.error, "") << "no progress bar in a pipe";
+  }
+  const std::string one = read_file(folder / "1.exr");
+  EXPECT_GT(one.size(), 1000u);
+  EXPECT_EQ(one, read_file(folder / "2.exr"));
+  EXPECT_EQ(one, read_file(folder / "7.exr"));
+}
+
+TEST(Program, ResumesAndMergesToTheBytesOfOneRender) {
+  const TemporaryFolder folder;
+  fairlight(small + "--spp 7 -o whole.exr", folder);
+  fairlight(small + "--spp 3 -o start.exr", folder);
+  EXPECT_EQ(fairlight("render cornell-simple --width 20 --height 10 --spp 4 --resume start.exr -o resumed.exr", folder).status, 0);
+  for (const char* i : {"1", "2", "3"}) fairlight(small + "--spp 7 --shard " + i + "/3 -o shard" + i + ".exr", folder);
+  EXPECT_EQ(fairlight("merge shard2.exr shard1.exr shard3.exr -o merged.exr", folder).status, 0);
+  const std::string whole = read_file(folder / "whole.exr");
+  EXPECT_GT(whole.size(), 1000u);
+  EXPECT_EQ(whole, read_file(folder / "resumed.exr"));
+  EXPECT_EQ(whole, read_file(folder / "merged.exr"));
+}
+
+TEST(Program, KeepsAPictureThatCannotBeResumedOrMerged) {
+  const TemporaryFolder folder;
+  fairlight(small + "--spp 1 -o a.exr", folder);
+  const std::string before = read_file(folder / "a.exr");
+  write_file(folder / "cut.exr", before.substr(0, before.size() / 2));
+  for (const char* arguments : {"render cornell-simple --spp 1 --width 20 --height 10 --resume cut.exr -o a.exr",
+                                "render cornell-simple --spp 1 --resume a.exr -o a.exr", "merge a.exr cut.exr -o a.exr",
+                                "merge a.exr a.exr -o a.exr"}) {
+    const Result run = fairlight(arguments, folder);
+    EXPECT_EQ(run.status, 2) << arguments;
+    EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
+    EXPECT_EQ(read_file(folder / "a.exr"), before) << arguments;
+    EXPECT_EQ(folder.files(), 2) << arguments;
+  }
+}
+
+// A limit on the size of files stands for a full disk: the write itself fails.
+TEST(Program, LeavesNothingWhenTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const Result run = shell("trap '' XFSZ; ulimit -f 8; " + std::string(FAIRLIGHT_PROGRAM) +
+                               " render cornell-simple --width 200 --height 100 --spp 1 -o a.exr",
+                           folder);
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.error.find("a.exr"), std::string::npos) << run.error;
+  EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
+  EXPECT_EQ(folder.files(), 0);
+}
+
+TEST(Program, ReportsARenderAsJson) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(fairlight(small + "--spp 2 -o a.exr --json a.json", folder).status, 0);
+  const auto json = nlohmann::json::parse(read_file(folder / "a.json"));
+  for (const char* key : {"scene", "settings", "seed", "paths", "rays", "seconds", "paths_per_second",
+                          "rays_per_second", "peak_bytes"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  EXPECT_EQ(json["paths"], 400);
+  EXPECT_EQ(json["seed"], "0000000000000009");
+}
+
+TEST(Program, VerifiesAndReplays) {
+  const TemporaryFolder folder;
+  EXPECT_NE(fairlight("verify --list", folder).out.find("hemisphere.cosine.law"), std::string::npos);
+  ASSERT_EQ(fairlight("verify pick importance --margin 0.05 --json a.json", folder).status, 0);
+  const auto first = nlohmann::json::parse(read_file(folder / "a.json"));
+  for (const auto& claim : first["claims"]) {
+    const std::string replay = claim["replay"].get<std::string>().substr(std::string("fairlight ").size());
+    ASSERT_EQ(fairlight(replay + " --json b.json --threads 3", folder).status, 0);
+    auto again = nlohmann::json::parse(read_file(folder / "b.json"))["claims"][0];
+    again["seconds"] = claim["seconds"];
+    EXPECT_EQ(again, claim);
+  }
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <fairlight/render/path_tracer.h>
+#include <support/scripted_source.h>
+
+namespace fairlight {
+namespace {
+
+using testing::ScriptedSource;
+using Bsdf = SurfaceBsdf<double, CosineHemisphere>;
+
+const Rgb<double> black(0, 0, 0);
+const Rgb<double> half(0.5, 0.5, 0.5);
+const Rgb<double> lit(3, 3, 3);
+
+// The floor's point (0, 0, 0), seen from above, under a light of radius 1 whose centre is 5 above.
+struct Floor {
+  Scene scene;
+  Vertex<double> vertex{{0, 0, 0}, {0, 1, 0}, 0};
+  Bsdf bsdf{half, {0, 1, 0}};
+  Floor() {
+    scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
+    scene.add_sphere({0, 5, 0}, 1, black, lit);
+  }
+};
+
+// u = (1/2, 3/4) is the normal (0, -1, 0): the light's lowest point, 4 above, both cosines 1.
+TEST(DirectLight, IsEmissionTimesReflectanceTimesAreaOverDistanceSquared) {
+  const Floor floor;
+  ScriptedSource source({0.5, 0.75});
+  const Rgb<double> radiance = DirectLight<AllOf>::estimate(floor.scene, floor.vertex, floor.bsdf, source);
+  EXPECT_NEAR(radiance[0], 3 * (0.5 / M_PI) * (4 * M_PI) / 16, 1e-14);
+}
+
+TEST(DirectLight, IsZeroFromTheFarSideOfTheLight) {
+  const Floor floor;
+  ScriptedSource source({0.5, 0.25});
+  EXPECT_TRUE((DirectLight<AllOf>::estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
+}
+
+TEST(DirectLight, IsZeroInAShadow) {
+  Floor floor;
+  floor.scene.add_sphere({0, 2, 0}, 0.5, half, black);
+  ScriptedSource source({0.5, 0.75});
+  EXPECT_TRUE((DirectLight<AllOf>::estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
+}
+
+TEST(DirectLight, IsZeroWhereNothingEmits) {
+  Scene dark;
+  dark.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
+  ScriptedSource none({});
+  const Floor floor;
+  EXPECT_TRUE((DirectLight<OneOf>::estimate(dark, floor.vertex, floor.bsdf, none) == 0).all());
+}
+
+// Inside a sphere that emits, cos cos / d^2 = 1 / (4 r^2) for every pair of points, so every draw is rho Le.
+TEST(DirectLight, SeesTheLuminaireThatItIsInside) {
+  Scene furnace;
+  furnace.add_sphere({0, 0, 0}, 2, half, lit);
+  const Vertex<double> vertex{{0, -2, 0}, {0, 1, 0}, 0};
+  for (double u : {0.1, 0.4, 0.9}) {
+    ScriptedSource source({u, 0.3});
+    const Rgb<double> radiance = DirectLight<AllOf>::estimate(furnace, vertex, Bsdf(half, {0, 1, 0}), source);
+    EXPECT_NEAR(radiance[0], 0.5 * 3, 1e-14) << u;
+  }
+}
+
+TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
+  Scene alone;
+  alone.add_sphere({0, 0, 0}, 2, half, lit);
+  const Vertex<double> vertex{{0, 2, 0}, {0, 1, 0}, 0};
+  ScriptedSource source({0.5, 0.3});
+  EXPECT_TRUE((DirectLight<AllOf>::estimate(alone, vertex, Bsdf(half, {0, 1, 0}), source) == 0).all());
+}
+
+TEST(CountsEmission, OnlyWhereNoShadowRayHasCountedIt) {
+  EXPECT_TRUE(DirectLight<AllOf>::counts_emission(0));
+  EXPECT_FALSE(DirectLight<AllOf>::counts_emission(1));
+  EXPECT_TRUE(NoDirectLight::counts_emission(5));
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/render/sphere.h>
+#include <support/unit_square.h>
+
+namespace fairlight {
+namespace {
+
+// The unit sphere about the origin, anchored at its north pole.
+const Sphere<double> unit{{0, 0, 1}, {0, 0, 1}, 1};
+
+TEST(Sphere, IsHitFromWithoutFromWithinAndNotFromBehind) {
+  EXPECT_DOUBLE_EQ(unit.distance({3, 0, 0}, {-1, 0, 0}, false), 2);
+  EXPECT_DOUBLE_EQ(unit.distance({0, 0, 0}, {0.6, 0.8, 0}, false), 1);
+  EXPECT_EQ(unit.distance({3, 0, 0}, {1, 0, 0}, false), infinity<double>);
+  EXPECT_EQ(unit.distance({3, 0, 1.5}, {-1, 0, 0}, false), infinity<double>);
+}
+
+TEST(Sphere, IsNotHitWhereARayLeavesIt) {
+  EXPECT_EQ(unit.distance({1, 0, 0}, {1, 0, 0}, true), infinity<double>);
+  EXPECT_DOUBLE_EQ(unit.distance({1, 0, 0}, {-1, 0, 0}, true), 2);
+}
+
+TEST(Sphere, OfCurvatureZeroIsAPlane) {
+  const Sphere<double> plane{{0, 0, 5}, {0, 0, 1}, 0};
+  EXPECT_DOUBLE_EQ(plane.distance({1, 2, 0}, {0, 0.6, 0.8}, false), 6.25);
+  EXPECT_EQ(plane.distance({1, 2, 0}, {0, 0.6, -0.8}, false), infinity<double>);
+  EXPECT_EQ(plane.distance({1, 2, 0}, {1, 0, 0}, false), infinity<double>);
+  EXPECT_EQ(plane.distance({1, 2, 5}, {0, 0.6, -0.8}, true), infinity<double>);
+}
+
+TEST(Sphere, HasALevelAndANormal) {
+  EXPECT_DOUBLE_EQ(unit.level({0, 2, 0}), 1.5);  // (|x|^2 - 1) / 2
+  EXPECT_DOUBLE_EQ(unit.level({0, 0, 0}), -0.5);
+  EXPECT_TRUE(unit.normal_at({0, 1, 0}).isApprox(Vec3<double>(0, 1, 0)));
+}
+
+// A wall of radius 1e5, seen from inside at x = 1. With centre and radius, |x - c|^2 - r^2 would lose ten digits.
+TEST(Sphere, OfLargeRadiusLosesNothing) {
+  const Sphere<double> wall{{1, 40, 80}, {-1, 0, 0}, 1e-5};
+  EXPECT_DOUBLE_EQ(wall.distance({50, 40, 80}, {-1, 0, 0}, false), 49);
+  // Off the axis by y the wall is nearer by y^2 / 2r, up to (y/r)^4 r / 8: 0.1 off by 5e-8.
+  EXPECT_NEAR(wall.distance({50, 40.1, 80}, {-1, 0, 0}, false), 49 - 5e-8, 1e-14);
+}
+
+RC_GTEST_PROP(Sphere, IsHitOnItself, ()) {
+  const double radius = std::exp(*rc::gen::inRange(-7000, 11513) * 1e-3);  // 1e-3 to 1e5
+  Vec3<double> outward = UniformHemisphere<double>().sample(*testing::unit_point());
+  const Sphere<double> sphere{{1, -2, 3}, outward, 1 / radius};
+  const Vec3<double> origin = Vec3<double>(1, -2, 3) - outward * radius * (*testing::unit_number());
+  const Vec3<double> direction = Frame<double>(outward).to_world(UniformHemisphere<double>().sample(*testing::unit_point()));
+  const double t = sphere.distance(origin, direction, false);
+  RC_PRE(t < infinity<double>);
+  // The level is a distance: rounded by the radius, by the step of length t, and by places of about 4.
+  RC_ASSERT(std::abs(sphere.level(origin + t * direction)) <= 1e-14 * (radius + t + 0.4));
+}
+
+// Leaving a sphere for its inside, the ray meets it again at the chord's end; for its outside, never: at any scale.
+RC_GTEST_PROP(Sphere, LetsARayLeaveAtAnyScale, ()) {
+  const double radius = std::pow(10, *rc::gen::inRange(-6, 9));
+  const Vec3<double> outward = UniformHemisphere<double>().sample(*testing::unit_point());
+  const Sphere<double> sphere{radius * outward, outward, 1 / radius};
+  const Vec3<double> w = UniformHemisphere<double>().sample(*testing::unit_point());
+  RC_PRE(w.z() > 1e-6);
+  const Vec3<double> away = Frame<double>(outward).to_world(w);
+  RC_ASSERT(sphere.distance(radius * outward, away, true) == infinity<double>);
+  RC_ASSERT(std::abs(sphere.distance(radius * outward, -away, true) / (2 * radius * w.z()) - 1) < 1e-9);
+}
+
+}  // namespace
+}  // namespace fairlight

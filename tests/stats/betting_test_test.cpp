@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fairlight/stats/betting_test.h>
+
+namespace fairlight {
+namespace {
+
+constexpr double alpha = 1e-6;
+constexpr double beta = 0.01;
+
+MeanHypothesis coin(double margin) { return {0.5, margin, 0, 1}; }
+
+// Blocks of n draws of which each run of `period` has `ones` ones: a sample without chance.
+Verdict feed(BettingTest& test, int ones, int period, int blocks) {
+  std::vector<double> block(static_cast<std::size_t>(period));
+  for (int i = 0; i < ones; ++i) block[static_cast<std::size_t>(i)] = 1;
+  for (int i = 0; i < blocks && test.verdict() == Verdict::undecided; ++i) test.add(block);
+  return test.verdict();
+}
+
+TEST(BettingTest, CertifiesDrawsThatAverageToTheMean) {
+  BettingTest test(coin(0.01), alpha, beta);
+  EXPECT_EQ(feed(test, 5, 10, 100000), Verdict::certified);
+  const Interval interval = test.interval();
+  EXPECT_GE(interval.lo, 0.49);
+  EXPECT_LE(interval.hi, 0.51);
+  EXPECT_LT(interval.lo, 0.5);
+  EXPECT_GT(interval.hi, 0.5);
+}
+
+TEST(BettingTest, FindsDrawsThatAreTooBrightAndTooDark) {
+  BettingTest bright(coin(0.01), alpha, beta);
+  EXPECT_EQ(feed(bright, 6, 10, 100000), Verdict::biased);
+  EXPECT_GT(bright.interval().lo, 0.5);
+  BettingTest dark(coin(0.01), alpha, beta);
+  EXPECT_EQ(feed(dark, 4, 10, 100000), Verdict::biased);
+  EXPECT_LT(dark.interval().hi, 0.5);
+}
+
+TEST(BettingTest, IsUndecidedBeforeThereIsEvidence) {
+  BettingTest test(coin(0.01), alpha, beta);
+  EXPECT_EQ(feed(test, 5, 10, 10), Verdict::undecided);
+}
+
+// After one block of draws d, before which no bet could be placed on a variance, every process is a product of known
+// factors. With draws that are all equal to the mean, U1 and D1 grow by 1 + l margin a block and U0, D0 stay at 1.
+TEST(BettingTest, NeedsEachAcceptProcessToReachOneOverBeta) {
+  const double margin = 0.1;
+  BettingTest test(coin(margin), alpha, beta);
+  const std::vector<double> mean{0.5};
+  double log_wealth = 0;
+  int blocks = 0;
+  while (test.verdict() == Verdict::undecided) {
+    const double spread = 0.25 / (blocks + 1);  // no deviation yet, one imaginary draw of the largest variance
+    const double bet = std::min(margin / (spread + margin * margin), 0.9 / (0.5 - margin));
+    log_wealth += std::log1p(bet * margin);
+    test.add(mean);
+    ++blocks;
+    ASSERT_LT(blocks, 1000);
+    EXPECT_EQ(test.verdict() == Verdict::certified, log_wealth >= std::log(1 / beta));
+  }
+}
+
+TEST(BettingTest, NamesTheDrawThatIsOutOfItsRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (double wrong : {nan, inf, -inf, -0.1, 1.1}) {
+    BettingTest test(coin(0.01), alpha, beta);
+    const std::vector<double> good{0, 1};
+    const std::vector<double> bad{0, wrong};
+    test.add(good);
+    try {
+      test.add(bad);
+      FAIL() << "accepted " << wrong;
+    } catch (const BadDraw& error) {
+      EXPECT_EQ(error.draw(), 3u);
+    }
+  }
+}
+
+TEST(BettingTest, AcceptsDrawsAboveASoftBound) {
+  BettingTest test({0.5, 0.01, 0, 1, 1e-4}, alpha, beta);
+  const std::vector<double> draws{0, 5};
+  EXPECT_NO_THROW(test.add(draws));
+}
+
+TEST(BettingTest, RefusesAHypothesisThatCannotBeTested) {
+  EXPECT_THROW(BettingTest({0.5, 0, 0, 1}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, -0.1, 0, 1}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, 0.1, 0.45, 1}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, 0.1, 0, 0.55}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, 0.1, 0, std::numeric_limits<double>::infinity()}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, 0.1, 0, 1, 0.2}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, 0.1, 0, 1, -1}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest(coin(0.1), 0, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest(coin(0.1), alpha, 1), std::invalid_argument);
+}
+
+TEST(BettingTest, RefusesAnEmptyBlock) {
+  BettingTest test(coin(0.01), alpha, beta);
+  EXPECT_THROW(test.add({}), std::invalid_argument);
+}
+
+// What makes the test exact: sizes and bets use the past alone.
+RC_GTEST_PROP(BettingTest, ChoosesTheNextBlockByThePast, ()) {
+  const auto past = *rc::gen::container<std::vector<bool>>(rc::gen::arbitrary<bool>());
+  BettingTest test(coin(0.01), alpha, beta);
+  for (bool draw : past) test.add(std::vector<double>{draw ? 1.0 : 0.0});
+  RC_ASSERT(test.block_size() >= 1u);
+  RC_ASSERT(test.block_size() <= std::max<std::size_t>(1, past.size() / 8));
+}
+
+// The probability of a verdict within n tosses of a coin, by going through all 2^n of them.
+double probability_of(Verdict verdict, const MeanHypothesis& hypothesis, double heads, double level, double miss) {
+  constexpr unsigned tosses = 16;
+  double probability = 0;
+  for (unsigned sequence = 0; sequence < 1u << tosses; ++sequence) {
+    BettingTest test(hypothesis, level, miss);
+    double weight = 1;
+    for (unsigned i = 0; i < tosses; ++i) {
+      const bool head = (sequence >> i & 1) != 0;
+      weight *= head ? heads : 1 - heads;
+      test.add(std::vector<double>{head ? 1.0 : 0.0});
+    }
+    if (test.verdict() == verdict) probability += weight;
+  }
+  return probability;
+}
+
+TEST(BettingTest, AlarmsOnRightCodeNoMoreOftenThanAlpha) {
+  for (double mean : {0.3, 0.5, 0.7}) {
+    const double alarms = probability_of(Verdict::biased, {mean, 0.25, 0, 1}, mean, 0.3, 1e-9);
+    EXPECT_GT(alarms, 0) << mean;
+    EXPECT_LE(alarms, 0.3) << mean;
+  }
+}
+
+TEST(BettingTest, CertifiesABiasOfTheMarginNoMoreOftenThanBeta) {
+  for (double bias : {-0.2, 0.2}) {
+    const double misses = probability_of(Verdict::certified, {0.5, 0.2, 0, 1}, 0.5 + bias, 1e-9, 0.3);
+    EXPECT_GT(misses, 0) << bias;
+    EXPECT_LE(misses, 0.3) << bias;
+  }
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <vector>
+
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight::testing {
+
+/// Numbers in [0,1), multiples of 2^-53 like those of a source.
+inline rc::Gen<double> unit_number() {
+  return rc::gen::map(rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 53),
+                      [](std::uint64_t i) { return static_cast<double>(i) * 0x1p-53; });
+}
+
+/// Points of [0,1)^2.
+inline rc::Gen<Vec2<double>> unit_point() {
+  return rc::gen::map(rc::gen::pair(unit_number(), unit_number()),
+                      [](const std::pair<double, double>& u) { return Vec2<double>(u.first, u.second); });
+}
+
+/// The corners and edges of [0,1)^2: 0, the smallest number, a half and 1 - 2^-53, in all pairs.
+inline std::vector<Vec2<double>> edge_points() {
+  std::vector<Vec2<double>> points;
+  const std::vector<double> edges{0, 0x1p-53, 0.5, 1 - 0x1p-53};
+  for (double a : edges) {
+    for (double b : edges) points.emplace_back(a, b);
+  }
+  return points;
+}
+
+}  // namespace fairlight::testing
+
+namespace rc {
+
+// How rapidcheck prints a vector in a counterexample.
+inline void showValue(const fairlight::Vec2<double>& u, std::ostream& out) { out << u.x() << ' ' << u.y(); }
+inline void showValue(const fairlight::Vec3<double>& v, std::ostream& out) { out << v.transpose(); }
+
+}  // namespace rc

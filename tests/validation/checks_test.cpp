@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/validation/checks.h>
+#include <fairlight/validation/domains.h>
+
+// Each check must be able to fail: it is shown estimators that are wrong without chance.
+namespace fairlight {
+namespace {
+
+const Trial trial{"checks_test", 1, 1e-6, 0.01, 0.05};
+
+TEST(CheckMean, CertifiesTheMeanAndOnlyTheMean) {
+  const auto constant = [](auto&) { return 2.0; };
+  EXPECT_EQ(check_mean(trial, {{2, 0, 4}}, constant).verdict, Verdict::certified);
+  EXPECT_EQ(check_mean(trial, {{2.2, 0, 4}}, constant).verdict, Verdict::biased);
+  EXPECT_EQ(check_mean(trial, {{1.8, 0, 4}}, constant).verdict, Verdict::biased);
+}
+
+TEST(CheckMean, IsBiasedWhenOneChannelIs) {
+  const auto rgb = [](auto&) { return Rgb<double>(1, 2, 3); };
+  EXPECT_EQ(check_mean(trial, {{1, 0, 5}, {2, 0, 5}, {3, 0, 5}}, rgb).verdict, Verdict::certified);
+  EXPECT_EQ(check_mean(trial, {{1, 0, 5}, {2.4, 0, 5}, {3, 0, 5}}, rgb).verdict, Verdict::biased);
+}
+
+TEST(CheckMean, ReportsTheBiasRelativeToTheReference) {
+  const Finding finding = check_mean(trial, {{1.6, 0, 4}}, [](auto&) { return 2.0; });
+  EXPECT_DOUBLE_EQ(finding.bias, 0.25);
+  EXPECT_GT(finding.interval.lo, 0);
+  EXPECT_EQ(finding.guarantee, Guarantee::exact);
+}
+
+TEST(CheckMean, NamesADrawThatIsOutOfItsRange) {
+  for (double wrong : {std::numeric_limits<double>::quiet_NaN(), -1.0, 100.0}) {
+    const Finding finding = check_mean(trial, {{2, 0, 4}}, [wrong](auto&) { return wrong; });
+    EXPECT_EQ(finding.verdict, Verdict::biased) << wrong;
+    EXPECT_NE(finding.note.find("draw 0"), std::string::npos) << finding.note;
+  }
+}
+
+TEST(CheckConstant, AllowsAFewUlpAndNoMore) {
+  const auto next_to_one = [](auto&) { return 1 + 2 * std::numeric_limits<double>::epsilon(); };
+  EXPECT_EQ(check_constant(trial, 1, 2, next_to_one).verdict, Verdict::certified);
+  EXPECT_EQ(check_constant(trial, 1, 1, next_to_one).verdict, Verdict::biased);
+  EXPECT_EQ(check_constant(trial, 1, 2, [](auto&) { return std::nan(""); }).verdict, Verdict::biased);
+}
+
+// A hemisphere whose density is wrong by a factor, or which strays below the horizon.
+struct Doubled : CosineHemisphere<double> {
+  Density<SolidAngle, double> pdf(const Vec3<double>& w) const {
+    return Density<SolidAngle, double>(2 * CosineHemisphere<double>::pdf(w).value());
+  }
+};
+struct Flipped : CosineHemisphere<double> {
+  Vec3<double> sample(const Vec2<double>& u) const { return -CosineHemisphere<double>::sample(u); }
+};
+struct Swapped : UniformHemisphere<double> {
+  Vec3<double> sample(const Vec2<double>& u) const { return CosineHemisphere<double>().sample(u); }
+};
+
+TEST(CheckLaw, CertifiesASamplerThatFollowsItsDensity) {
+  EXPECT_EQ(check_law(trial, CosineHemisphere<double>{}, HemisphereDomain{}).verdict, Verdict::certified);
+}
+
+TEST(CheckLaw, FindsADensityThatIntegratesToTwo) {
+  const Finding finding = check_law(trial, Doubled{}, HemisphereDomain{});
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("integrates to 2.0"), std::string::npos) << finding.note;
+}
+
+TEST(CheckLaw, FindsADrawWhereTheDensityIsZero) {
+  const Finding finding = check_law(trial, Flipped{}, HemisphereDomain{});
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("draw 0"), std::string::npos) << finding.note;
+}
+
+TEST(CheckLaw, FindsDrawsOfAnotherLaw) {
+  EXPECT_EQ(check_law(trial, Swapped{}, HemisphereDomain{}).verdict, Verdict::biased);
+}
+
+// Draws that fill the cells more evenly than chance: a grid in place of random numbers.
+TEST(CheckCounts, FindsCountsThatAreTooGood) {
+  LawCells cells;
+  cells.probabilities.assign(128, 1.0 / 128);
+  cells.total_error = 0;
+  const auto even = [](std::uint64_t draws) { return std::vector<std::uint64_t>(128, draws / 128); };
+  EXPECT_EQ(check_counts(trial, cells, even).verdict, Verdict::biased);
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,27 @@
+#include <gtest/gtest.h>
+
+#include <fairlight/estimators/seed.h>
+#include <fairlight/validation/audit.h>
+#include <fairlight/validation/registry.h>
+
+namespace fairlight {
+namespace {
+
+TEST(Faults, StandInForRowsOfTheRegistry) {
+  for (const Fault& fault : fault_catalogue()) {
+    EXPECT_FALSE(fault.claims.empty()) << fault.name;
+    for (const Claim& claim : fault.claims) EXPECT_NO_THROW(trial_of(claim.name, Conformance{})) << claim.name;
+  }
+}
+
+// A short form of `fairlight audit faults`.
+TEST(Faults, AreAllBiasedInEveryClaimThatTheyStandIn) {
+  const Conformance conformance{.seed = fresh_seed(), .threads = 2};
+  for (const FaultOutcome& outcome : audit_faults(conformance, 2)) {
+    EXPECT_EQ(outcome.caught, outcome.seeds)
+        << outcome.fault->name << " in " << outcome.claim << ", seed " << seed_text(conformance.seed);
+  }
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+#include <fairlight/validation/registry.h>
+
+namespace fairlight {
+namespace {
+
+TEST(Registry, HasNoTwoClaimsOfOneName) {
+  std::set<std::string> names;
+  for (const Claim& claim : registry()) EXPECT_TRUE(names.insert(claim.name).second) << claim.name;
+}
+
+TEST(Registry, SaysOfEveryClaimWhatItIsAndWhereItComesFrom) {
+  for (const Claim& claim : registry()) {
+    EXPECT_FALSE(claim.statement.empty()) << claim.name;
+    EXPECT_FALSE(claim.source.empty()) << claim.name;
+    EXPECT_FALSE(claim.subjects.empty()) << claim.name;
+    EXPECT_GE(claim.margin_factor, 1) << claim.name;
+  }
+}
+
+TEST(SelectClaims, TakesAllByDefault) { EXPECT_EQ(select_claims({}).size(), registry().size()); }
+
+TEST(SelectClaims, TakesNamesFirstPartsAndPatterns) {
+  EXPECT_EQ(select_claims({"hemisphere.cosine.law"}).size(), 1u);
+  EXPECT_EQ(select_claims({"hemisphere"}).size(), 2u);
+  EXPECT_EQ(select_claims({"*.law"}).size(), 5u);
+  EXPECT_EQ(select_claims({"hemisphere", "hemisphere.cosine.law"}).size(), 2u);
+}
+
+TEST(SelectClaims, NamesTheClaimsThatExistWhenNoneMatches) {
+  try {
+    select_claims({"hemisphere.cosine.lw"});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("hemisphere.cosine.law"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace fairlight
