@@ -29,6 +29,8 @@ concept Sampler = requires(const T sampler, typename T::Point x, Vec2<typename T
 
 /// One draw of a random variable: `estimate(source)`, whose mean is what is claimed of it.
 template <class T, class Source>
-concept Estimator = requires(const T estimator, Source source) { estimator.estimate(source); };
+concept Estimator = requires(const T estimator, Source source) {
+  estimator.estimate(source);
+};
 
 }  // namespace fairlight

@@ -11,8 +11,8 @@ struct Area {};                 ///< [1/m^2]; on the image plane, [1/pixel^2]
 struct UnitCube {};             ///< against Lebesgue measure on [0,1)^n, dimensionless
 struct Discrete {};             ///< a probability, against counting measure
 
-/// A probability density, tagged with its measure. Densities of different measures do not mix: the change of measure
-/// is a named function that takes the distance and the cosine.
+/// A probability density, tagged with its measure. Densities of different measures do not mix: the change of
+/// measure is a named function that takes the distance and the cosine.
 template <class Measure, class Real>
 class Density {
  public:
@@ -36,7 +36,8 @@ Density<Measure, Real> operator*(Density<Discrete, Real> choice, Density<Measure
 }
 
 /// p_w = p_A d^2 / cos. `distance` in m to the point; `cosine` in (0,1] between the surface's normal there and the
-/// direction back; the density is meaningless where the cosine is not positive, as the surface is not seen from there.
+/// direction back; the density is meaningless where the cosine is not positive, as the surface is not seen from
+/// there.
 template <class Real>
 Density<SolidAngle, Real> to_solid_angle(Density<Area, Real> density, Real distance, Real cosine) {
   return Density<SolidAngle, Real>(density.value() * (distance * distance) / cosine);

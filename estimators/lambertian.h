@@ -22,7 +22,9 @@ class Lambertian {
   explicit Lambertian(const Rgb<Real>& albedo) : albedo_(albedo) {}
 
   /// The BRDF for light from the direction w (local, unit).
-  Rgb<Real> eval(const Vec3<Real>& w) const { return albedo_ * select(w.z() > Real(0), Real(1) / pi<Real>, Real(0)); }
+  Rgb<Real> eval(const Vec3<Real>& w) const {
+    return albedo_ * select(w.z() > Real(0), Real(1) / pi<Real>, Real(0));
+  }
 
   Density<SolidAngle, Real> pdf(const Vec3<Real>& w) const { return directions_.pdf(w); }
 

@@ -24,7 +24,9 @@ class UniformChoice {
     if (n < 1) throw std::invalid_argument("a choice among no alternatives (give at least one)");
   }
 
-  Pick sample(Real u) const { return {static_cast<int>(u * Real(n_)), Density<Discrete, Real>(Real(1) / Real(n_))}; }
+  Pick sample(Real u) const {
+    return {static_cast<int>(u * Real(n_)), Density<Discrete, Real>(Real(1) / Real(n_))};
+  }
 
  private:
   int n_;

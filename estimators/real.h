@@ -6,8 +6,9 @@
 
 namespace fairlight {
 
-/// Samplers, geometry and the path tracer are templates over Real: `double`, the readable reference, or a SIMD packet.
-/// What differs between the two is here: a packet type overloads these three, and a comparison of packets is a mask.
+/// Samplers, geometry and the path tracer are templates over Real: `double`, the readable reference, or a SIMD
+/// packet. What differs between the two is here: a packet type overloads these three, and a comparison of packets
+/// is a mask.
 
 /// a where the mask holds, b elsewhere. Both are evaluated.
 template <class Value>

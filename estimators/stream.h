@@ -35,8 +35,8 @@ struct Philox {
   }
 };
 
-/// What draws are for: a seed and a purpose (the name of a claim, or of a render), folded into one key, so that no two
-/// purposes share numbers. The fold is FNV-1a, then one Philox block under the seed.
+/// What draws are for: a seed and a purpose (the name of a claim, or of a render), folded into one key, so that no
+/// two purposes share numbers. The fold is FNV-1a, then one Philox block under the seed.
 class StreamKey {
  public:
   StreamKey(std::uint64_t seed, std::string_view purpose) {

@@ -1,6 +1,6 @@
-#include <fairlight/render/cornell.h>
-
 #include <stdexcept>
+
+#include <fairlight/render/cornell.h>
 
 namespace fairlight {
 namespace {
@@ -10,8 +10,9 @@ const Rgb<double> red(.75, .25, .25);
 const Rgb<double> blue(.25, .25, .75);
 const Rgb<double> grey(.75, .75, .75);
 
-// The box without its front: x from 1 to 99, y from 0 to 81.6, z from 0 towards the camera. The walls are spheres of
-// radius 1e5, seen from inside, as in the paper's renderer (and in smallpt, Beason 2007, from which it took them).
+// The box without its front: x from 1 to 99, y from 0 to 81.6, z from 0 towards the camera. The walls are spheres
+// of radius 1e5, seen from inside, as in the paper's renderer (and in smallpt, Beason 2007, from which it took
+// them).
 void add_walls(Scene& scene) {
   constexpr double radius = 1e5;
   scene.add_wall({1, 40.8, 81.6}, {-1, 0, 0}, radius, red, black);
@@ -21,9 +22,7 @@ void add_walls(Scene& scene) {
   scene.add_wall({50, 81.6, 81.6}, {0, 1, 0}, radius, grey, black);
 }
 
-Camera box_camera() {
-  return Camera({50, 52, 295.6}, {0, -0.042612, -1}, /*image_height=*/0.5135, /*start=*/140);
-}
+Camera box_camera() { return Camera({50, 52, 295.6}, {0, -0.042612, -1}, /*image_height=*/0.5135, /*start=*/140); }
 
 View cornell_simple() {
   Scene scene;

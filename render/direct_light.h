@@ -17,14 +17,12 @@ struct Vertex {
   int surface;
 };
 
-/// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of them
-/// or of one of them.
-/// Formula  sum over L of  f Le cos / p_w,  p_w = p_A d^2 / cos_L, where the point is seen, 0 where not
-/// Measure  the points by area, turned into solid angle
-/// Domain   spheres that emit, from without, from within, or from their own surface
-/// Random   two dimensions per shadow ray, and one for the choice
-/// Bound    per luminaire, A max(Le f) / d^2 with d the smallest distance from the vertex to the luminaire
-/// Source   Shirley, Wang, Zimmerman 1996; the paper, 3.2 and A.1
+/// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of
+/// them or of one of them. Formula  sum over L of  f Le cos / p_w,  p_w = p_A d^2 / cos_L, where the point is seen,
+/// 0 where not Measure  the points by area, turned into solid angle Domain   spheres that emit, from without, from
+/// within, or from their own surface Random   two dimensions per shadow ray, and one for the choice Bound    per
+/// luminaire, A max(Le f) / d^2 with d the smallest distance from the vertex to the luminaire Source   Shirley,
+/// Wang, Zimmerman 1996; the paper, 3.2 and A.1
 template <class Luminaires, template <class> class PointsOnSphere = UniformSphereArea>
 struct DirectLight {
   /// Emission is counted where the path starts; later it has been counted by a shadow ray (the paper, A.2).
@@ -52,7 +50,8 @@ struct DirectLight {
     const Real cosine_there = -side(light, scene, vertex) * outward.dot(direction);
     const Rgb<Real> reflected = bsdf.eval_world(direction);
     if (!(cosine_there > Real(0) && (reflected > Real(0)).any())) return Rgb<Real>::Zero();
-    if (!scene.visible({vertex.position, direction, vertex.surface}, distance, light.surface)) return Rgb<Real>::Zero();
+    if (!scene.visible({vertex.position, direction, vertex.surface}, distance, light.surface))
+      return Rgb<Real>::Zero();
     const Real cosine_here = vertex.normal.dot(direction);
     return light.radiance * reflected * cosine_here / to_solid_angle(points.pdf(outward), distance, cosine_there);
   }

@@ -1,18 +1,18 @@
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputPart.h>
 #include <ImfIO.h>
+#include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <limits>
-#include <stdexcept>
 
 #include <fairlight/render/picture.h>
 #include <fairlight/render/whole_file.h>
@@ -200,7 +200,8 @@ Picture read_exr(const std::string& path) {
     Imf::MultiPartInputFile file(path.c_str());
     return read_parts(file);
   } catch (const std::exception& error) {
-    throw std::runtime_error("\"" + path + "\" is not a whole EXR file from fairlight render (" + error.what() + ")");
+    throw std::runtime_error("\"" + path + "\" is not a whole EXR file from fairlight render (" + error.what() +
+                             ")");
   }
 }
 
@@ -209,8 +210,8 @@ void Picture::merge(const Picture& other) {
   const nlohmann::json theirs = other.settings;
   for (const auto& [key, value] : mine.items()) {
     if (theirs.at(key) != value) {
-      throw std::invalid_argument("renders with different settings cannot be merged (" + key + " is " + value.dump() +
-                                  " in one, " + theirs.at(key).dump() + " in the other)");
+      throw std::invalid_argument("renders with different settings cannot be merged (" + key + " is " +
+                                  value.dump() + " in one, " + theirs.at(key).dump() + " in the other)");
     }
   }
   samples.merge(other.samples);

@@ -1,7 +1,7 @@
-#include <fairlight/render/film.h>
-
 #include <stdexcept>
 #include <string>
+
+#include <fairlight/render/film.h>
 
 namespace fairlight {
 

@@ -23,8 +23,8 @@ class Film {
   Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
   const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
 
-  /// Adds one sample to a pixel. Throws std::domain_error, naming the pixel, when a channel is negative, not a number,
-  /// or 2^64 and more: it is never repaired.
+  /// Adds one sample to a pixel. Throws std::domain_error, naming the pixel, when a channel is negative, not a
+  /// number, or 2^64 and more: it is never repaired.
   void add(int x, int y, const Rgb<double>& sample);
 
   /// Throws std::invalid_argument when the sizes differ.

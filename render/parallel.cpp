@@ -1,5 +1,3 @@
-#include <fairlight/render/parallel.h>
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -7,6 +5,8 @@
 #include <stdexcept>
 #include <thread>
 #include <vector>
+
+#include <fairlight/render/parallel.h>
 
 namespace fairlight {
 

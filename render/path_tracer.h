@@ -41,7 +41,8 @@ class PathTracer {
  public:
   static constexpr int no_limit = -1;
 
-  /// max_depth: the number of bounces after which a path ends, or no_limit. Throws std::invalid_argument below that.
+  /// max_depth: the number of bounces after which a path ends, or no_limit. Throws std::invalid_argument below
+  /// that.
   explicit PathTracer(int max_depth = no_limit) : max_depth_(max_depth) {
     if (max_depth < no_limit) throw std::invalid_argument("a maximum depth must be nonnegative");
   }

@@ -18,12 +18,13 @@ struct Picture {
 };
 
 /// OpenEXR with two parts. The first is for people: R, G, B, the mean radiance [W/(sr m^2)]; the layer `error`, its
-/// standard error; `samples.N`, how many samples; scene, settings, seeds and version as attributes `fairlight.*`. The
-/// second, `sums`, is the film's exact state, by which a render is resumed and merged.
-/// Written whole or not at all; throws std::runtime_error.
+/// standard error; `samples.N`, how many samples; scene, settings, seeds and version as attributes `fairlight.*`.
+/// The second, `sums`, is the film's exact state, by which a render is resumed and merged. Written whole or not at
+/// all; throws std::runtime_error.
 void write_exr(const std::string& path, const Picture& picture);
 
-/// Reads what write_exr wrote. Throws std::runtime_error, naming the file, for any other: missing, foreign, truncated.
+/// Reads what write_exr wrote. Throws std::runtime_error, naming the file, for any other: missing, foreign,
+/// truncated.
 Picture read_exr(const std::string& path);
 
 /// A preview: 8-bit sRGB, radiance 1 as white, what is brighter cut off. Written whole or not at all.

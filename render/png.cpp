@@ -1,8 +1,8 @@
-#include <png.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include <png.h>
 
 #include <fairlight/render/picture.h>
 #include <fairlight/render/whole_file.h>

@@ -1,15 +1,16 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
+
+#include <unistd.h>
 
 #include <fairlight/render/render_image.h>
 
 namespace fairlight {
 
-/// A line on the terminal that shows the fraction done and the time left; silent where standard error is no terminal.
+/// A line on the terminal that shows the fraction done and the time left; silent where standard error is no
+/// terminal.
 inline Progress progress_bar(const char* what) {
   if (isatty(STDERR_FILENO) == 0) return {};
   return [what, start = std::chrono::steady_clock::now()](double done) {

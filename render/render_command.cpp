@@ -1,17 +1,16 @@
-#include <fairlight/render/render_command.h>
-
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <memory>
 #include <optional>
 
+#include <sys/resource.h>
+
 #include <fairlight/estimators/seed.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/progress.h>
+#include <fairlight/render/render_command.h>
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/whole_file.h>
 
@@ -35,7 +34,8 @@ SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint
     throw std::invalid_argument("\"" + shard + "\" is not a shard (give i/N with i from 1 to N)");
   }
   const SampleRange range{first + (i - 1) * spp / n, first + i * spp / n};
-  if (range.first == range.last) throw std::invalid_argument("shard " + shard + " is empty (there are more shards than samples)");
+  if (range.first == range.last)
+    throw std::invalid_argument("shard " + shard + " is empty (there are more shards than samples)");
   return range;
 }
 
@@ -117,7 +117,8 @@ void add_render(CLI::App& program, Command& command) {
   app->add_option("--shard", options->shard, "Only part i of N of the samples")->type_name("i/N");
   app->add_option("--width", settings.width, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
   app->add_option("--height", settings.height, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
-  const auto choice = [app](const char* name, std::string& value, const char* help, std::vector<std::string> values) {
+  const auto choice = [app](const char* name, std::string& value, const char* help,
+                            std::vector<std::string> values) {
     app->add_option(name, value, help)->check(CLI::IsMember(std::move(values)))->capture_default_str();
   };
   choice("--bounce", settings.bounce, "How directions are sampled", {"cosine", "uniform"});
@@ -126,7 +127,8 @@ void add_render(CLI::App& program, Command& command) {
   choice("--which-light", settings.which_light, "All luminaires, or one of them", {"all", "one"});
   choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "off"});
   choice("--filter", settings.filter, "The pixel filter", {"tent"});
-  app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")->check(CLI::Range(0, 1 << 20));
+  app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
+      ->check(CLI::Range(0, 1 << 20));
   app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
   app->add_option("--seed", options->seed, "1 to 16 hexadecimal digits; fresh if not given");
   app->callback([options, &command] { command = [options] { return render(*options); }; });

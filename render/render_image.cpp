@@ -1,5 +1,3 @@
-#include <fairlight/render/render_image.h>
-
 #include <algorithm>
 #include <mutex>
 #include <stdexcept>
@@ -8,6 +6,7 @@
 #include <fairlight/estimators/stream.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/path_tracer.h>
+#include <fairlight/render/render_image.h>
 
 namespace fairlight {
 namespace {
@@ -56,8 +55,8 @@ std::uint64_t render_tile(const View& view, const Tracer& tracer, const StreamKe
   const TentFilter<double> filter;
   for (int y = tile.top; y < tile.bottom; ++y) {
     for (int x = tile.left; x < tile.right; ++x) {
-      const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(film.width()) +
-                         static_cast<std::uint32_t>(x);
+      const auto pixel =
+          static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(film.width()) + static_cast<std::uint32_t>(x);
       for (std::uint64_t sample = range.first; sample < range.last; ++sample) {
         PhiloxStream<double> source(key, pixel, sample);
         const Vec2<double> place = filter.sample(next_pair<double>(source)) + Vec2<double>(x + 0.5, y + 0.5);
@@ -71,7 +70,8 @@ std::uint64_t render_tile(const View& view, const Tracer& tracer, const StreamKe
 
 template <template <class> class Directions, class Direct>
 void with_roulette(const RenderSettings& settings, const auto& render) {
-  if (settings.roulette == "albedo") return render(PathTracer<Directions, Direct, RouletteByReflectance<>>(settings.max_depth));
+  if (settings.roulette == "albedo")
+    return render(PathTracer<Directions, Direct, RouletteByReflectance<>>(settings.max_depth));
   if (settings.roulette != "off") throw std::invalid_argument("there is no roulette \"" + settings.roulette + "\"");
   if (settings.max_depth < 0) {
     throw std::invalid_argument("without roulette a path need not end (give --max-depth, or --roulette albedo)");
@@ -103,8 +103,7 @@ RenderCost render_image(const View& view, const RenderSettings& settings, std::u
   int done = 0;
   with_tracer(settings, [&](const auto& tracer) {
     for_each_unit(static_cast<int>(units.size()), threads, [&](int unit) {
-      const std::uint64_t rays =
-          render_tile(view, tracer, key, units[static_cast<std::size_t>(unit)], range, film);
+      const std::uint64_t rays = render_tile(view, tracer, key, units[static_cast<std::size_t>(unit)], range, film);
       const std::lock_guard lock(mutex);
       cost.rays += rays;
       if (progress) progress(static_cast<double>(++done) / static_cast<double>(units.size()));

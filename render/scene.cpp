@@ -1,7 +1,7 @@
-#include <fairlight/render/scene.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <fairlight/render/scene.h>
 
 namespace fairlight {
 
@@ -11,15 +11,16 @@ void Scene::add_sphere(const Vec3<double>& centre, double radius, const Rgb<doub
   add({centre + radius * up, up, 1 / radius}, radius, albedo, radiance);
 }
 
-void Scene::add_wall(const Vec3<double>& point, const Vec3<double>& outward, double radius, const Rgb<double>& albedo,
-                     const Rgb<double>& radiance) {
+void Scene::add_wall(const Vec3<double>& point, const Vec3<double>& outward, double radius,
+                     const Rgb<double>& albedo, const Rgb<double>& radiance) {
   if (!(std::abs(outward.norm() - 1) <= 1e-9)) {
     throw std::invalid_argument("a wall's normal must be a unit vector (it is the direction away from the centre)");
   }
   add({point, outward, 1 / radius}, radius, albedo, radiance);
 }
 
-void Scene::add(const Sphere<double>& shape, double radius, const Rgb<double>& albedo, const Rgb<double>& radiance) {
+void Scene::add(const Sphere<double>& shape, double radius, const Rgb<double>& albedo,
+                const Rgb<double>& radiance) {
   if (!(radius > 0 && std::isfinite(radius) && shape.anchor.allFinite())) {
     throw std::invalid_argument("a sphere's radius must be positive and finite, and its place finite (in metres)");
   }

@@ -17,10 +17,10 @@ struct Surface {
 
 /// A surface that emits, as a sphere to be sampled.
 struct Luminaire {
-  int surface;            ///< its index in the scene
-  Vec3<double> centre;    ///< [m]
-  double radius;          ///< [m]
-  Rgb<double> radiance;   ///< [W/(sr m^2)]
+  int surface;           ///< its index in the scene
+  Vec3<double> centre;   ///< [m]
+  double radius;         ///< [m]
+  Rgb<double> radiance;  ///< [W/(sr m^2)]
 };
 
 /// A half line; `leaving` is the surface that it starts on, or -1. The direction is a unit vector.
@@ -41,9 +41,10 @@ struct Hit {
 /// Spheres, some of which emit. Every sphere is closed or as good as flat; there is no other geometry yet.
 class Scene {
  public:
-  /// A sphere by centre and radius [m]. Throws std::invalid_argument for a radius that is not positive and finite, an
-  /// albedo outside [0,1], or a radiance that is negative or not finite.
-  void add_sphere(const Vec3<double>& centre, double radius, const Rgb<double>& albedo, const Rgb<double>& radiance);
+  /// A sphere by centre and radius [m]. Throws std::invalid_argument for a radius that is not positive and finite,
+  /// an albedo outside [0,1], or a radiance that is negative or not finite.
+  void add_sphere(const Vec3<double>& centre, double radius, const Rgb<double>& albedo,
+                  const Rgb<double>& radiance);
 
   /// A wall: the sphere of the given radius [m] that passes through `point` with the outward unit normal `outward`
   /// there. Exact for any radius. Throws as add_sphere, and when the normal is not a unit vector to 1e-9.
@@ -64,8 +65,8 @@ class Scene {
     return hit;
   }
 
-  /// Whether nothing but the surface `target` stands on the ray closer than `distance` [m]. The target is convex and
-  /// its point faces the origin, so it does not stand in its own way.
+  /// Whether nothing but the surface `target` stands on the ray closer than `distance` [m]. The target is convex
+  /// and its point faces the origin, so it does not stand in its own way.
   template <class Real>
   bool visible(const Ray<Real>& ray, Real distance, int target) const {
     for (int i = 0; i < static_cast<int>(surfaces_.size()); ++i) {

@@ -1,9 +1,8 @@
-#include <fairlight/render/settings.h>
-
 #include <iterator>
 #include <stdexcept>
 
 #include <fairlight/estimators/seed.h>
+#include <fairlight/render/settings.h>
 
 namespace fairlight {
 
@@ -40,7 +39,8 @@ std::uint64_t SampleLedger::next(std::uint64_t seed) const {
 }
 
 std::uint64_t SampleLedger::seed() const {
-  if (ranges_.size() != 1) throw std::invalid_argument("the picture holds samples of several seeds (name one by --seed)");
+  if (ranges_.size() != 1)
+    throw std::invalid_argument("the picture holds samples of several seeds (name one by --seed)");
   return ranges_.begin()->first;
 }
 

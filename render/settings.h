@@ -2,10 +2,11 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace fairlight {
 
@@ -22,8 +23,8 @@ struct RenderSettings {
   std::string filter = "tent";          ///< tent
   int max_depth = -1;                   ///< bounces; -1 for no limit
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, bounce, direct, light_sampling, which_light,
-                                   roulette, filter, max_depth)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, bounce, direct, light_sampling,
+                                   which_light, roulette, filter, max_depth)
 
 /// Samples first .. last - 1 of every pixel.
 struct SampleRange {

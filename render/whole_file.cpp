@@ -1,12 +1,12 @@
-#include <fairlight/render/whole_file.h>
-
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <fairlight/render/whole_file.h>
 
 namespace fairlight {
 

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace fairlight {
 
@@ -12,7 +13,8 @@ namespace fairlight {
 /// Errors throw std::runtime_error, saying which file and what the system said.
 class WholeFile {
  public:
-  /// Throws when the folder does not exist or cannot be written, or when something that is not a file is in the way.
+  /// Throws when the folder does not exist or cannot be written, or when something that is not a file is in the
+  /// way.
   explicit WholeFile(const std::string& path);
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;

@@ -1,11 +1,12 @@
-#include <fairlight/stats/betting_test.h>
-
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <fairlight/stats/betting_test.h>
 
 namespace fairlight {
 namespace {
@@ -46,7 +47,8 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
     throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
   }
   if (!(h.tail_slack >= 0 && h.tail_slack < h.margin)) {
-    throw std::invalid_argument("the tail slack must be nonnegative and below the margin (or nothing can be certified)");
+    throw std::invalid_argument(
+        "the tail slack must be nonnegative and below the margin (or nothing can be certified)");
   }
 }
 
@@ -111,7 +113,8 @@ void BettingTest::decide() {
   const double reject = std::log(2 / alpha_);
   const double accept = std::log(1 / beta_);
   const auto refutes = [reject](const std::array<double, 3>& logs) {
-    return *std::max_element(logs.begin(), logs.end()) >= reject && log_mixture(logs) >= reject;  // a mixture is <= its top
+    return *std::max_element(logs.begin(), logs.end()) >= reject &&
+           log_mixture(logs) >= reject;  // a mixture is <= its top
   };
   if (refutes(log_up_) || refutes(log_down_)) {
     verdict_ = Verdict::biased;
@@ -120,9 +123,9 @@ void BettingTest::decide() {
   }
 }
 
-// On right code log U1 and log D1 drift by K/2 with variance K after n = K variance/margin^2 draws, so each is short
-// of log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta). Half as much again pays for bets placed
-// before the variance is known; the second term for bets that the range limits.
+// On right code log U1 and log D1 drift by K/2 with variance K after n = K variance/margin^2 draws, so each is
+// short of log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta). Half as much again pays for bets
+// placed before the variance is known; the second term for bets that the range limits.
 double BettingTest::patience() const {
   const double z = -boost::math::quantile(boost::math::normal(), std::min(alpha_, 0.5) / 2);
   const double needed = std::log(1 / beta_);
@@ -132,8 +135,9 @@ double BettingTest::patience() const {
   return 1.5 * root * root * (spread() / (margin * margin) + range / margin);
 }
 
-// Evidence that the mean is above (or below) a candidate: the log wealth of betting against it with the whole mixture,
-// decreasing as the candidate moves towards the draws. Bets stay affordable against any candidate inside the search.
+// Evidence that the mean is above (or below) a candidate: the log wealth of betting against it with the whole
+// mixture, decreasing as the candidate moves towards the draws. Bets stay affordable against any candidate inside
+// the search.
 double BettingTest::evidence(double candidate, bool above) const {
   const auto& h = hypothesis_;
   const double room = above ? h.mean - h.lower : h.upper - h.mean + h.tail_slack;
@@ -152,8 +156,9 @@ Interval BettingTest::interval() const {
     if (excess(proven) < 0) return proven;
     if (excess(open) >= 0) return open;
     std::uintmax_t iterations = 100;
-    const auto bracket = boost::math::tools::toms748_solve(excess, std::min(proven, open), std::max(proven, open),
-                                                           boost::math::tools::eps_tolerance<double>(30), iterations);
+    const auto bracket =
+        boost::math::tools::toms748_solve(excess, std::min(proven, open), std::max(proven, open),
+                                          boost::math::tools::eps_tolerance<double>(30), iterations);
     return above ? bracket.first : bracket.second;
   };
   const double highest = h.lower + (h.mean - h.lower) / (1.05 * largest_stake);

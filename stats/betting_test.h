@@ -38,9 +38,9 @@ class BadDraw : public std::runtime_error {
 ///   D1 = D0 against mean + margin,  U1 = U0 against mean - margin
 /// `biased` when U0 or D0 reaches 2/alpha; `certified` when D1 and U1 both reach 1/beta. Each process is a
 /// nonnegative supermartingale under the hypothesis that it tests, so by Ville's inequality the error rates hold at
-/// any stopping time and any number of draws, with no appeal to normality. Draws come in blocks, whose means are bet
-/// on; the size of a block depends on earlier draws only.
-/// Source: Waudby-Smith and Ramdas 2024, "Estimating means of bounded random variables by betting"; Ville 1939.
+/// any stopping time and any number of draws, with no appeal to normality. Draws come in blocks, whose means are
+/// bet on; the size of a block depends on earlier draws only. Source: Waudby-Smith and Ramdas 2024, "Estimating
+/// means of bounded random variables by betting"; Ville 1939.
 class BettingTest {
  public:
   /// alpha: level of `biased`; beta: miss rate of `certified`; both in (0,1).
@@ -56,13 +56,15 @@ class BettingTest {
   /// undecided until a threshold is reached; then it stands.
   Verdict verdict() const { return verdict_; }
 
-  /// The number of draws after which right code is still undecided with probability at most alpha: where to give up.
+  /// The number of draws after which right code is still undecided with probability at most alpha: where to give
+  /// up.
   double patience() const;
 
   const Moments& moments() const { return moments_; }
 
-  /// Where the mean lies, in X's unit: each end is wrong with probability at most 1.25 beta, at any stopping time. (The
-  /// processes that certify bet as the first of the mixture's three, whose weight is 0.8, so what they show, it shows.)
+  /// Where the mean lies, in X's unit: each end is wrong with probability at most 1.25 beta, at any stopping time.
+  /// (The processes that certify bet as the first of the mixture's three, whose weight is 0.8, so what they show,
+  /// it shows.)
   Interval interval() const;
 
  private:

@@ -1,8 +1,8 @@
-#include <fairlight/stats/budget.h>
-
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+
+#include <fairlight/stats/budget.h>
 
 namespace fairlight {
 

@@ -1,12 +1,13 @@
-#include <fairlight/stats/chi_square.h>
-
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+
+#include <fairlight/stats/chi_square.h>
 
 namespace fairlight {
 namespace {
@@ -44,7 +45,8 @@ void check_input(std::span<const std::uint64_t> counts, std::span<const double> 
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (!(probabilities[i] >= 0)) throw std::invalid_argument("a cell's probability is negative or not a number");
     if (probabilities[i] == 0 && counts[i] != 0) {
-      throw std::invalid_argument("a cell of probability zero was hit (the density has a hole, or the sampler strays)");
+      throw std::invalid_argument(
+          "a cell of probability zero was hit (the density has a hole, or the sampler strays)");
     }
     sum += probabilities[i];
   }
@@ -75,8 +77,7 @@ ChiSquare chi_square(std::span<const std::uint64_t> counts, std::span<const doub
 std::uint64_t draws_to_tell_apart(std::uint64_t cells, double distance, double alpha, double beta) {
   const auto degrees = static_cast<double>(cells - 1);
   const double critical = quantile(complement(boost::math::chi_squared(degrees), alpha / 2));
-  const double noncentrality =
-      boost::math::non_central_chi_squared::find_non_centrality(degrees, critical, beta);
+  const double noncentrality = boost::math::non_central_chi_squared::find_non_centrality(degrees, critical, beta);
   const double floor_of_cells = 2 * least_expected * static_cast<double>(cells);
   return static_cast<std::uint64_t>(std::ceil(std::max(noncentrality / (distance * distance), floor_of_cells)));
 }

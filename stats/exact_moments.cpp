@@ -1,10 +1,11 @@
-#include <fairlight/stats/exact_moments.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <span>
 #include <stdexcept>
 #include <string>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <fairlight/stats/exact_moments.h>
 
 namespace fairlight {
 namespace {

@@ -1,6 +1,6 @@
-#include <fairlight/stats/moments.h>
-
 #include <stdexcept>
+
+#include <fairlight/stats/moments.h>
 
 namespace fairlight {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 namespace fairlight {

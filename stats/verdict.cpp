@@ -4,18 +4,24 @@ namespace fairlight {
 
 const char* name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::certified: return "certified";
-    case Verdict::biased: return "biased";
-    case Verdict::undecided: break;
+    case Verdict::certified:
+      return "certified";
+    case Verdict::biased:
+      return "biased";
+    case Verdict::undecided:
+      break;
   }
   return "undecided";
 }
 
 const char* name(Guarantee guarantee) {
   switch (guarantee) {
-    case Guarantee::deterministic: return "deterministic";
-    case Guarantee::exact: return "exact";
-    case Guarantee::asymptotic: break;
+    case Guarantee::deterministic:
+      return "deterministic";
+    case Guarantee::exact:
+      return "exact";
+    case Guarantee::asymptotic:
+      break;
   }
   return "asymptotic";
 }

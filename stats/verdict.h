@@ -29,11 +29,11 @@ struct Interval {
 struct Finding {
   Verdict verdict = Verdict::undecided;
   Guarantee guarantee = Guarantee::deterministic;
-  double margin = 0;         ///< the bias that `certified` excludes, relative
-  double bias = 0;           ///< the estimate of the bias, relative
-  Interval interval{0, 0};   ///< each end is wrong with at most the miss rate
-  std::uint64_t draws = 0;   ///< how many draws the verdict took
-  std::string note{};        ///< one sentence where there is more to say; empty otherwise
+  double margin = 0;        ///< the bias that `certified` excludes, relative
+  double bias = 0;          ///< the estimate of the bias, relative
+  Interval interval{0, 0};  ///< each end is wrong with at most the miss rate
+  std::uint64_t draws = 0;  ///< how many draws the verdict took
+  std::string note{};       ///< one sentence where there is more to say; empty otherwise
 };
 
 const char* name(Verdict verdict);

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <cstdlib>
+
+#include <gtest/gtest.h>
 
 #include <fairlight/estimators/seed.h>
 #include <fairlight/render/parallel.h>

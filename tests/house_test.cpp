@@ -1,18 +1,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <fairlight/validation/registry.h>
 #include <support/house.h>
 #include <support/temporary_folder.h>
+
+#include <fairlight/validation/registry.h>
 
 namespace fairlight {
 namespace {
 
+using testing::components_without_papers;
 using ::testing::Contains;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using testing::components_without_papers;
 using testing::includes_up_the_chain;
+using ::testing::IsEmpty;
 using testing::TemporaryFolder;
 using testing::write_file;
 

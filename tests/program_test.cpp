@@ -1,11 +1,10 @@
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
+#include <sys/wait.h>
 
 // The program as a person meets it: exit status, one sentence on standard error, nothing half-written.
 namespace fairlight {
@@ -23,7 +22,8 @@ struct Result {
 Result shell(const std::string& command, const TemporaryFolder& folder) {
   const std::string out = folder / "stdout";
   const std::string error = folder / "stderr";
-  const int status = std::system(("cd '" + folder.path().string() + "' && " + command + " >stdout 2>stderr").c_str());
+  const int status =
+      std::system(("cd '" + folder.path().string() + "' && " + command + " >stdout 2>stderr").c_str());
   const Result run{WEXITSTATUS(status), read_file(out), read_file(error)};
   std::filesystem::remove(out);
   std::filesystem::remove(error);
@@ -102,8 +102,12 @@ TEST(Program, ResumesAndMergesToTheBytesOfOneRender) {
   const TemporaryFolder folder;
   fairlight(small + "--spp 7 -o whole.exr", folder);
   fairlight(small + "--spp 3 -o start.exr", folder);
-  EXPECT_EQ(fairlight("render cornell-simple --width 20 --height 10 --spp 4 --resume start.exr -o resumed.exr", folder).status, 0);
-  for (const char* i : {"1", "2", "3"}) fairlight(small + "--spp 7 --shard " + i + "/3 -o shard" + i + ".exr", folder);
+  EXPECT_EQ(
+      fairlight("render cornell-simple --width 20 --height 10 --spp 4 --resume start.exr -o resumed.exr", folder)
+          .status,
+      0);
+  for (const char* i : {"1", "2", "3"})
+    fairlight(small + "--spp 7 --shard " + i + "/3 -o shard" + i + ".exr", folder);
   EXPECT_EQ(fairlight("merge shard2.exr shard1.exr shard3.exr -o merged.exr", folder).status, 0);
   const std::string whole = read_file(folder / "whole.exr");
   EXPECT_GT(whole.size(), 1000u);
@@ -117,8 +121,8 @@ TEST(Program, KeepsAPictureThatCannotBeResumedOrMerged) {
   const std::string before = read_file(folder / "a.exr");
   write_file(folder / "cut.exr", before.substr(0, before.size() / 2));
   for (const char* arguments : {"render cornell-simple --spp 1 --width 20 --height 10 --resume cut.exr -o a.exr",
-                                "render cornell-simple --spp 1 --resume a.exr -o a.exr", "merge a.exr cut.exr -o a.exr",
-                                "merge a.exr a.exr -o a.exr"}) {
+                                "render cornell-simple --spp 1 --resume a.exr -o a.exr",
+                                "merge a.exr cut.exr -o a.exr", "merge a.exr a.exr -o a.exr"}) {
     const Result run = fairlight(arguments, folder);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;

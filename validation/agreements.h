@@ -7,14 +7,18 @@
 
 namespace fairlight {
 
-/// Strategies that must have the same mean: the difference of independent draws has the mean 0. The margin is relative
-/// to `scale`, the size of the two means, on which the verdict that they differ does not rest.
+/// Strategies that must have the same mean: the difference of independent draws has the mean 0. The margin is
+/// relative to `scale`, the size of the two means, on which the verdict that they differ does not rest.
 
 /// One of two unequal lights, weighted by |L|, against all of them.
 template <class One, class All>
 Claim one_against_all(const std::string& name) {
-  return {name, "agreement", {"OneOf", "AllOf", "DirectLight"},
-          "one of two unequal lights, weighted by their number, agrees with both, per channel", "the paper, A.1", 2,
+  return {name,
+          "agreement",
+          {"OneOf", "AllOf", "DirectLight"},
+          "one of two unequal lights, weighted by their number, agrees with both, per channel",
+          "the paper, A.1",
+          2,
           [](const Trial& trial) {
             const SpheresOverPlane floor = two_lights();
             std::vector<Reference> references;
@@ -32,13 +36,17 @@ Claim one_against_all(const std::string& name) {
 }
 
 /// Roulette on against off, in the Cornell box, over a patch of its floor, up to four bounces.
-/// Bound: the light's sphere, 4 pi r^2 = 9 pi, is nowhere nearer to a surface than 15 (the ceiling), so a shadow ray
-/// brings at most 9 x 400 x 0.8 / 15^2 = 12.8, times a throughput of at most 1; there are four.
+/// Bound: the light's sphere, 4 pi r^2 = 9 pi, is nowhere nearer to a surface than 15 (the ceiling), so a shadow
+/// ray brings at most 9 x 400 x 0.8 / 15^2 = 12.8, times a throughput of at most 1; there are four.
 template <class On, class Off>
 Claim roulette_on_against_off(const std::string& name) {
-  return {name, "agreement", {"RouletteByReflectance", "NoRoulette", "PathTracer"},
+  return {name,
+          "agreement",
+          {"RouletteByReflectance", "NoRoulette", "PathTracer"},
           "on the floor of the Cornell box, up to four bounces, roulette on agrees with roulette off, per channel",
-          "the paper, 3.2.1", 10, [](const Trial& trial) {
+          "the paper, 3.2.1",
+          10,
+          [](const Trial& trial) {
             const View box = built_in_scene("cornell-simple");
             const Vec3<double> eye(50, 52, 150);
             const Reference reference{0, -52, 52, 0, /*scale=*/0.5};

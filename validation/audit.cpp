@@ -1,8 +1,7 @@
-#include <fairlight/validation/audit.h>
-
 #include <mutex>
 
 #include <fairlight/render/parallel.h>
+#include <fairlight/validation/audit.h>
 
 namespace fairlight {
 

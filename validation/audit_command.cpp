@@ -34,8 +34,13 @@ std::vector<const Fault*> survivors(const std::vector<FaultOutcome>& outcomes) {
 nlohmann::json faults_json(const std::vector<FaultOutcome>& outcomes) {
   nlohmann::json faults = nlohmann::json::array();
   for (const FaultOutcome& o : outcomes) {
-    faults.push_back({{"name", o.fault->name}, {"class", o.fault->kind}, {"source", o.fault->source},
-                      {"claim", o.claim}, {"effect", o.effect}, {"draws", o.draws}, {"caught", o.caught},
+    faults.push_back({{"name", o.fault->name},
+                      {"class", o.fault->kind},
+                      {"source", o.fault->source},
+                      {"claim", o.claim},
+                      {"effect", o.effect},
+                      {"draws", o.draws},
+                      {"caught", o.caught},
                       {"seeds", o.seeds}});
   }
   nlohmann::json alive = nlohmann::json::array();
@@ -70,10 +75,14 @@ void add_audit_command(CLI::App& program, Command& command) {
   app->require_subcommand(1);
   auto options = std::make_shared<AuditOptions>();
   auto* sub = app->add_subcommand("faults", "Run wrong estimators through the claims: each must be found biased");
-  sub->add_option("--seeds", options->seeds, "How many seeds for each")->check(CLI::Range(1, 100000))->capture_default_str();
+  sub->add_option("--seeds", options->seeds, "How many seeds for each")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   sub->add_option("--seed", options->seed, "The first seed; fresh if not given");
   sub->add_option("--json", options->json, "The matrix, as JSON")->type_name("F.json");
-  sub->add_option("--threads", options->conformance.threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  sub->add_option("--threads", options->conformance.threads, "Threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
   sub->callback([options, &command] { command = [options] { return faults(*options); }; });
 }
 

@@ -1,10 +1,11 @@
-#include <fairlight/validation/checks.h>
-
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
 #include <numeric>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+
+#include <fairlight/validation/checks.h>
 
 namespace fairlight {
 namespace {
@@ -31,7 +32,8 @@ void run(std::vector<BettingTest>& tests, const DrawBlock& draw_block) {
       block = block == 0 ? test.block_size() : std::min(block, test.block_size());
       patience = std::max(patience, test.patience());
     }
-    const bool refuted = std::any_of(tests.begin(), tests.end(), [](auto& t) { return t.verdict() == Verdict::biased; });
+    const bool refuted =
+        std::any_of(tests.begin(), tests.end(), [](auto& t) { return t.verdict() == Verdict::biased; });
     if (block == 0 || refuted || static_cast<double>(drawn) > patience) return;
     for (auto& channel : channels) channel.resize(block);
     draw_block(drawn, channels);
@@ -47,12 +49,14 @@ Finding channel_finding(const BettingTest& test, const Reference& reference, dou
   finding.guarantee = Guarantee::exact;
   finding.margin = margin;
   finding.bias = (test.moments().mean() - reference.mean) / reference.scale;
-  finding.interval = {(interval.lo - reference.mean) / reference.scale, (interval.hi - reference.mean) / reference.scale};
+  finding.interval = {(interval.lo - reference.mean) / reference.scale,
+                      (interval.hi - reference.mean) / reference.scale};
   finding.draws = test.moments().count();
   return finding;
 }
 
-// The bias of the worst channel over a few draws, for the report alone: the verdict rests on a draw out of its range.
+// The bias of the worst channel over a few draws, for the report alone: the verdict rests on a draw out of its
+// range.
 double rough_bias(const std::vector<Reference>& references, const DrawBlock& draw_block) {
   std::vector<std::vector<double>> channels(references.size(), std::vector<double>(4096));
   draw_block(0, channels);
@@ -67,9 +71,11 @@ double rough_bias(const std::vector<Reference>& references, const DrawBlock& dra
 // What the statistic says of the distance between the two laws: each end wrong with probability beta.
 Interval distance_interval(const ChiSquare& result, double draws, double beta) {
   const auto distance = [&](double probability_below) {
-    if (boost::math::cdf(boost::math::chi_squared(result.degrees), result.statistic) <= probability_below) return 0.0;
+    if (boost::math::cdf(boost::math::chi_squared(result.degrees), result.statistic) <= probability_below)
+      return 0.0;
     return std::sqrt(boost::math::non_central_chi_squared::find_non_centrality(result.degrees, result.statistic,
-                                                                              probability_below) / draws);
+                                                                               probability_below) /
+                     draws);
   };
   return {distance(1 - beta), distance(beta)};
 }
@@ -80,7 +86,8 @@ Finding check_means(const Trial& trial, const std::vector<Reference>& references
   std::vector<BettingTest> tests;
   const double alpha = trial.alpha / static_cast<double>(references.size());
   for (const Reference& r : references) {
-    tests.emplace_back(MeanHypothesis{r.mean, trial.margin * r.scale, r.lower, r.upper, r.tail_slack}, alpha, trial.beta);
+    tests.emplace_back(MeanHypothesis{r.mean, trial.margin * r.scale, r.lower, r.upper, r.tail_slack}, alpha,
+                       trial.beta);
   }
   try {
     run(tests, draw_block);
@@ -106,9 +113,11 @@ Finding check_counts(const Trial& trial, const LawCells& cells,
                      const std::function<std::vector<std::uint64_t>(std::uint64_t draws)>& count) {
   const double total = std::accumulate(cells.probabilities.begin(), cells.probabilities.end(), 0.0);
   if (!(std::abs(total - 1) <= 1e-6 + cells.total_error) || cells.total_error > 1e-6) {
-    return refuted(trial, Guarantee::deterministic, "the density integrates to " + std::to_string(total) + ", not to 1");
+    return refuted(trial, Guarantee::deterministic,
+                   "the density integrates to " + std::to_string(total) + ", not to 1");
   }
-  const std::uint64_t draws = draws_to_tell_apart(cells.probabilities.size(), trial.margin, trial.alpha, trial.beta);
+  const std::uint64_t draws =
+      draws_to_tell_apart(cells.probabilities.size(), trial.margin, trial.alpha, trial.beta);
   try {
     const std::vector<std::uint64_t> counts = count(draws);
     const ChiSquare result = chi_square(counts, cells.probabilities);

@@ -15,10 +15,11 @@ namespace fairlight {
 /// What is claimed of one channel of an estimator. All in the estimator's unit.
 struct Reference {
   double mean;
-  double lower;           ///< no draw is below
-  double upper;           ///< no draw is above; or, with a tail slack, E[(X - upper)+] <= tail_slack
+  double lower;  ///< no draw is below
+  double upper;  ///< no draw is above; or, with a tail slack, E[(X - upper)+] <= tail_slack
   double tail_slack = 0;
-  double scale = mean;    ///< what margin and bias are relative to; for a difference, where the mean is 0, its terms' mean
+  double scale =
+      mean;  ///< what margin and bias are relative to; for a difference, where the mean is 0, its terms' mean
 };
 
 /// Fills channels[c][i] with channel c of draw first + i, for every i.
@@ -70,7 +71,8 @@ Finding check_constant(const Trial& trial, double reference, int ulps, const Dra
     finding.interval = {std::min(finding.interval.lo, error), std::max(finding.interval.hi, error)};
     if (std::abs(error) <= tolerance) continue;
     finding.verdict = Verdict::biased;
-    finding.note = "draw " + std::to_string(finding.draws) + " is off by " + std::to_string(error / tolerance * ulps) + " ulp";
+    finding.note =
+        "draw " + std::to_string(finding.draws) + " is off by " + std::to_string(error / tolerance * ulps) + " ulp";
     return finding;
   }
   return finding;
@@ -83,10 +85,10 @@ Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
   cells.total_error = 0;
   for (int row = 0; row < cells.rows; ++row) {
     for (int column = 0; column < cells.columns; ++column) {
-      const Integral cell = integrate_rectangle(
-          [&](double s, double t) { return law.pdf(domain.at(s, t)).value() * domain.size(); },
-          double(row) / cells.rows, double(row + 1) / cells.rows, double(column) / cells.columns,
-          double(column + 1) / cells.columns);
+      const Integral cell =
+          integrate_rectangle([&](double s, double t) { return law.pdf(domain.at(s, t)).value() * domain.size(); },
+                              double(row) / cells.rows, double(row + 1) / cells.rows,
+                              double(column) / cells.columns, double(column + 1) / cells.columns);
       cells.probabilities.push_back(cell.value);
       cells.total_error += cell.error;
     }

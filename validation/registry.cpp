@@ -1,8 +1,6 @@
-#include <fairlight/validation/registry.h>
+#include <stdexcept>
 
 #include <fnmatch.h>
-
-#include <stdexcept>
 
 #include <fairlight/estimators/filter.h>
 #include <fairlight/validation/agreements.h>
@@ -10,6 +8,7 @@
 #include <fairlight/validation/analytic/integrals.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
 #include <fairlight/validation/laws.h>
+#include <fairlight/validation/registry.h>
 
 namespace fairlight {
 namespace {
@@ -21,9 +20,10 @@ using One = DirectLight<OneOf>;
 using Roulette = RouletteByReflectance<>;
 
 void add_laws(std::vector<Claim>& claims) {
-  claims.push_back(law_claim("stream.philox", "PhiloxStream", "Salmon et al. 2011", StreamPairs{}, SquareDomain{0, 1}));
-  claims.push_back(law_claim("hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2", UniformHemisphere<double>{},
-                             HemisphereDomain{}));
+  claims.push_back(
+      law_claim("stream.philox", "PhiloxStream", "Salmon et al. 2011", StreamPairs{}, SquareDomain{0, 1}));
+  claims.push_back(law_claim("hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2",
+                             UniformHemisphere<double>{}, HemisphereDomain{}));
   claims.push_back(law_claim("hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3", CosineHemisphere<double>{},
                              HemisphereDomain{}));
   claims.push_back(law_claim("sphere_light.area", "UniformSphereArea", "Archimedes", UniformSphereArea<double>(2.5),
@@ -34,7 +34,8 @@ void add_laws(std::vector<Claim>& claims) {
 
 void add_components(std::vector<Claim>& claims) {
   constexpr double tau = 2 * std::numbers::pi;
-  claims.push_back(hemisphere_integral<UniformHemisphere>("importance.uniform.cosine", "UniformHemisphere", 1, tau));
+  claims.push_back(
+      hemisphere_integral<UniformHemisphere>("importance.uniform.cosine", "UniformHemisphere", 1, tau));
   claims.push_back(
       hemisphere_integral<CosineHemisphere>("importance.cosine.cosine_squared", "CosineHemisphere", 2, tau / 2));
   claims.push_back(lambertian_albedo<UniformHemisphere>("lambertian.uniform.albedo", "UniformHemisphere"));
@@ -47,8 +48,8 @@ void add_components(std::vector<Claim>& claims) {
 void add_furnaces(std::vector<Claim>& claims) {
   claims.push_back(furnace_claim<Tracer<NoDirectLight, Roulette>>(
       "furnace.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
-  claims.push_back(
-      furnace_claim<Tracer<All, Roulette>>("furnace.light", {"PathTracer", "DirectLight", "RouletteByReflectance"}));
+  claims.push_back(furnace_claim<Tracer<All, Roulette>>("furnace.light",
+                                                        {"PathTracer", "DirectLight", "RouletteByReflectance"}));
   claims.push_back(furnace_partial_sum<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
       "furnace.depth3.uniform", {"PathTracer", "NoRoulette", "UniformHemisphere"}, 3, 2));
   claims.push_back(furnace_partial_sum<Tracer<All, NoRoulette, UniformHemisphere>>(
@@ -64,8 +65,8 @@ void add_direct_light(std::vector<Claim>& claims) {
   };
   const auto cosine_hit = [](const SpheresOverPlane& s, int c) { return s.albedo[c] * s.largest_radiance(c); };
   const auto uniform_hit = [=](const SpheresOverPlane& s, int c) { return 2 * cosine_hit(s, c); };
-  claims.push_back(floor_claim<Tracer<All, NoRoulette>>("sphere_over_plane.light", {"DirectLight", "UniformSphereArea"},
-                                                        one_light(), 1, all_terms));
+  claims.push_back(floor_claim<Tracer<All, NoRoulette>>(
+      "sphere_over_plane.light", {"DirectLight", "UniformSphereArea"}, one_light(), 1, all_terms));
   claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette>>(
       "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, large_light(), 2, cosine_hit));
   claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(

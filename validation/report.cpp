@@ -1,8 +1,7 @@
-#include <fairlight/validation/report.h>
-
 #include <algorithm>
 
 #include <fairlight/estimators/seed.h>
+#include <fairlight/validation/report.h>
 #include <fairlight/version.h>
 
 namespace fairlight {
@@ -34,8 +33,8 @@ std::string replay(const std::string& claim, const Conformance& conformance) {
 }
 
 void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const Conformance& conformance) {
-  std::fprintf(out, "%-34s %-10s %-14s %9s %22s %12s %7s\n", "claim", "verdict", "guarantee", "margin", "bias between",
-               "draws", "seconds");
+  std::fprintf(out, "%-34s %-10s %-14s %9s %22s %12s %7s\n", "claim", "verdict", "guarantee", "margin",
+               "bias between", "draws", "seconds");
   for (const auto& [claim, finding, seconds] : worst_first(outcomes)) {
     const std::string interval = text("%+.2e", finding.interval.lo) + " " + text("%+.2e", finding.interval.hi);
     std::fprintf(out, "%-34s %-10s %-14s %9.1e %22s %12llu %7.2f\n", claim->name.c_str(), name(finding.verdict),
@@ -65,12 +64,8 @@ nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conform
                       {"note", finding.note},
                       {"replay", replay(claim->name, conformance)}});
   }
-  return {{"version", version},
-          {"seed", seed_text(conformance.seed)},
-          {"budget", conformance.budget},
-          {"seconds", seconds},
-          {"verdict", name(overall(outcomes))},
-          {"claims", claims}};
+  return {{"version", version}, {"seed", seed_text(conformance.seed)}, {"budget", conformance.budget},
+          {"seconds", seconds}, {"verdict", name(overall(outcomes))},  {"claims", claims}};
 }
 
 }  // namespace fairlight

@@ -28,9 +28,7 @@ int list(const std::vector<const Claim*>& claims) {
   return 0;
 }
 
-int exit_status(Verdict verdict) {
-  return verdict == Verdict::certified ? 0 : verdict == Verdict::biased ? 1 : 3;
-}
+int exit_status(Verdict verdict) { return verdict == Verdict::certified ? 0 : verdict == Verdict::biased ? 1 : 3; }
 
 void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
   const Verdict verdict = overall(outcomes);
@@ -66,7 +64,8 @@ int verify(const VerifyOptions& options) {
 void add_verify_command(CLI::App& program, Command& command) {
   auto* app = program.add_subcommand("verify", "Certify the estimators: each claim certified, biased or undecided");
   auto options = std::make_shared<VerifyOptions>();
-  app->add_option("claims", options->claims, "Which claims: names, their first parts, or patterns; all if none given")
+  app->add_option("claims", options->claims,
+                  "Which claims: names, their first parts, or patterns; all if none given")
       ->type_name("CLAIM");
   app->add_flag("--list", options->list, "List the claims, and run nothing");
   app->add_option("--margin", options->conformance.margin, "The relative bias to exclude")->capture_default_str();

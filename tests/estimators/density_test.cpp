@@ -1,7 +1,7 @@
+#include <concepts>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <concepts>
 
 #include <fairlight/estimators/density.h>
 
@@ -9,7 +9,11 @@ namespace fairlight {
 namespace {
 
 template <class A, class B>
-concept Mixable = requires(A a, B b) { a * b; } || requires(A a, B b) { a + b; } || requires(A a, B b) { a = b; };
+concept Mixable = requires(A a, B b) {
+  a* b;
+}
+|| requires(A a, B b) { a + b; }
+|| requires(A a, B b) { a = b; };
 
 static_assert(!Mixable<Density<Area, double>, Density<SolidAngle, double>>, "measures do not mix");
 static_assert(!Mixable<Density<SolidAngle, double>, Density<ProjectedSolidAngle, double>>);

@@ -1,11 +1,11 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
+#include <support/unit_square.h>
 
 #include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/filter.h>
-#include <support/unit_square.h>
 
 namespace fairlight {
 namespace {

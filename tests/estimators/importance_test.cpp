@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
+#include <support/scripted_source.h>
 
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/importance.h>
-#include <support/scripted_source.h>
 
 namespace fairlight {
 namespace {

@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 
-#include <fairlight/estimators/lambertian.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 #include <support/unit_square.h>
+
+#include <fairlight/estimators/lambertian.h>
 
 namespace fairlight {
 namespace {
@@ -29,7 +29,8 @@ void check_weight() {
   rc::check([] {
     const Lambertian<double, Directions> surface(albedo);
     const auto bounce = surface.sample(*testing::unit_point());
-    const Rgb<double> expected = surface.eval(bounce.direction) * bounce.direction.z() / surface.pdf(bounce.direction);
+    const Rgb<double> expected =
+        surface.eval(bounce.direction) * bounce.direction.z() / surface.pdf(bounce.direction);
     RC_ASSERT((bounce.weight - expected).abs().maxCoeff() <= 1e-15);
   });
 }

@@ -1,11 +1,11 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <stdexcept>
 
-#include <fairlight/estimators/pick_one.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 #include <support/scripted_source.h>
 #include <support/unit_square.h>
+
+#include <fairlight/estimators/pick_one.h>
 
 namespace fairlight {
 namespace {

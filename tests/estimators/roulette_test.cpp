@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <fairlight/estimators/roulette.h>
 #include <support/scripted_source.h>
 #include <support/unit_square.h>
+
+#include <fairlight/estimators/roulette.h>
 
 namespace fairlight {
 namespace {

@@ -47,8 +47,8 @@ RC_GTEST_PROP(PhiloxStream, IsAFunctionOfItsAddressInTheUnitInterval,
   }
 }
 
-RC_GTEST_PROP(PhiloxStream, DiffersWhenAnyPartOfItsAddressDoes, (std::uint64_t seed, std::uint32_t unit,
-                                                                  std::uint64_t sample)) {
+RC_GTEST_PROP(PhiloxStream, DiffersWhenAnyPartOfItsAddressDoes,
+              (std::uint64_t seed, std::uint32_t unit, std::uint64_t sample)) {
   const auto first = [](std::uint64_t s, const char* purpose, std::uint32_t u, std::uint64_t i) {
     return PhiloxStream<double>(StreamKey(s, purpose), u, i).next();
   };

@@ -1,8 +1,8 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <limits>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <fairlight/render/film.h>
 

@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <stdexcept>
 
-#include <fairlight/render/path_tracer.h>
+#include <gtest/gtest.h>
 #include <support/scripted_source.h>
+
+#include <fairlight/render/path_tracer.h>
 
 namespace fairlight {
 namespace {

@@ -1,14 +1,13 @@
-#include <gtest/gtest.h>
+#include <stdexcept>
 
 #include <ImfChannelList.h>
 #include <ImfHeader.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfStringAttribute.h>
-
-#include <stdexcept>
+#include <gtest/gtest.h>
+#include <support/temporary_folder.h>
 
 #include <fairlight/render/picture.h>
-#include <support/temporary_folder.h>
 
 namespace fairlight {
 namespace {
@@ -52,7 +51,8 @@ TEST(Picture, ShowsRadianceErrorAndSamplesToOtherPrograms) {
     EXPECT_NE(channels.findChannel(name), nullptr) << name;
   }
   for (const char* name : {"scene", "settings", "seed", "version"}) {
-    EXPECT_NE(file.header(0).findTypedAttribute<Imf::StringAttribute>(std::string("fairlight.") + name), nullptr) << name;
+    EXPECT_NE(file.header(0).findTypedAttribute<Imf::StringAttribute>(std::string("fairlight.") + name), nullptr)
+        << name;
   }
 }
 

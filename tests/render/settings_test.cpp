@@ -1,8 +1,8 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <fairlight/render/settings.h>
 
@@ -42,7 +42,8 @@ RC_GTEST_PROP(SampleLedger, IsTheSetOfItsSamples, ()) {
   const int n = *rc::gen::inRange(1, 40);
   std::vector<int> order(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) order[static_cast<std::size_t>(i)] = i;
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[*rc::gen::inRange<std::size_t>(0, i)]);
+  for (std::size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[*rc::gen::inRange<std::size_t>(0, i)]);
   SampleLedger ledger;
   for (int i : order) ledger.add(3, {static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(i) + 1});
   SampleLedger whole;

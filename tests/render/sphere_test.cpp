@@ -1,11 +1,11 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
+#include <support/unit_square.h>
 
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/render/sphere.h>
-#include <support/unit_square.h>
 
 namespace fairlight {
 namespace {
@@ -52,7 +52,8 @@ RC_GTEST_PROP(Sphere, IsHitOnItself, ()) {
   Vec3<double> outward = UniformHemisphere<double>().sample(*testing::unit_point());
   const Sphere<double> sphere{{1, -2, 3}, outward, 1 / radius};
   const Vec3<double> origin = Vec3<double>(1, -2, 3) - outward * radius * (*testing::unit_number());
-  const Vec3<double> direction = Frame<double>(outward).to_world(UniformHemisphere<double>().sample(*testing::unit_point()));
+  const Vec3<double> direction =
+      Frame<double>(outward).to_world(UniformHemisphere<double>().sample(*testing::unit_point()));
   const double t = sphere.distance(origin, direction, false);
   RC_PRE(t < infinity<double>);
   // The level is a distance: rounded by the radius, by the step of length t, and by places of about 4.

@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <stdexcept>
 
-#include <fairlight/render/whole_file.h>
+#include <gtest/gtest.h>
 #include <support/temporary_folder.h>
+
+#include <fairlight/render/whole_file.h>
 
 namespace fairlight {
 namespace {

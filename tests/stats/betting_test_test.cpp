@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <fairlight/stats/betting_test.h>
 
@@ -47,8 +47,9 @@ TEST(BettingTest, IsUndecidedBeforeThereIsEvidence) {
   EXPECT_EQ(feed(test, 5, 10, 10), Verdict::undecided);
 }
 
-// After one block of draws d, before which no bet could be placed on a variance, every process is a product of known
-// factors. With draws that are all equal to the mean, U1 and D1 grow by 1 + l margin a block and U0, D0 stay at 1.
+// After one block of draws d, before which no bet could be placed on a variance, every process is a product of
+// known factors. With draws that are all equal to the mean, U1 and D1 grow by 1 + l margin a block and U0, D0 stay
+// at 1.
 TEST(BettingTest, NeedsEachAcceptProcessToReachOneOverBeta) {
   const double margin = 0.1;
   BettingTest test(coin(margin), alpha, beta);
@@ -94,7 +95,8 @@ TEST(BettingTest, RefusesAHypothesisThatCannotBeTested) {
   EXPECT_THROW(BettingTest({0.5, -0.1, 0, 1}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0.45, 1}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 0.55}, alpha, beta), std::invalid_argument);
-  EXPECT_THROW(BettingTest({0.5, 0.1, 0, std::numeric_limits<double>::infinity()}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, 0.1, 0, std::numeric_limits<double>::infinity()}, alpha, beta),
+               std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 1, 0.2}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 1, -1}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest(coin(0.1), 0, beta), std::invalid_argument);

@@ -1,7 +1,7 @@
+#include <limits>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <limits>
 
 #include <fairlight/stats/budget.h>
 

@@ -1,11 +1,11 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <fairlight/stats/exact_moments.h>
 
@@ -30,7 +30,7 @@ TEST(ExactMoments, LoseNothingBetweenLargeAndSmall) {
   const ExactMoments moments = moments_of({0x1p60, 0x1p-90});
   const ExactMoments large = moments_of({0x1p60, 0});
   EXPECT_NE(moments, large);
-  EXPECT_EQ(moments.words()[1], std::uint64_t{1} << 6);            // 2^-90 is 2^6 units of 2^-96
+  EXPECT_EQ(moments.words()[1], std::uint64_t{1} << 6);                // 2^-90 is 2^6 units of 2^-96
   EXPECT_EQ(moments.words()[3], std::uint64_t{1} << (60 + 96 - 128));  // 2^60 is 2^156 of them
 }
 
@@ -54,8 +54,8 @@ TEST(ExactMoments, RoundADrawBelowTheUnitHalfToEven) {
 
 TEST(ExactMoments, RefuseWhatIsNoDraw) {
   ExactMoments moments;
-  for (double x : {-1e-300, -1.0, 0x1p64, std::numeric_limits<double>::infinity(),
-                   std::numeric_limits<double>::quiet_NaN()}) {
+  for (double x :
+       {-1e-300, -1.0, 0x1p64, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_THROW(moments.add(x), std::domain_error) << x;
   }
   EXPECT_EQ(moments, ExactMoments());
@@ -78,7 +78,8 @@ RC_GTEST_PROP(ExactMoments, AreTheSameForEverySplitAndOrder, ()) {
 
   std::vector<ExactMoments> parts(1 + *rc::gen::inRange<std::size_t>(0, 7));
   auto shuffled = draws;
-  for (std::size_t i = shuffled.size(); i > 1; --i) std::swap(shuffled[i - 1], shuffled[*rc::gen::inRange<std::size_t>(0, i)]);
+  for (std::size_t i = shuffled.size(); i > 1; --i)
+    std::swap(shuffled[i - 1], shuffled[*rc::gen::inRange<std::size_t>(0, i)]);
   for (double x : shuffled) parts[*rc::gen::inRange<std::size_t>(0, parts.size())].add(x);
   ExactMoments merged;
   for (const ExactMoments& part : parts) merged.merge(part);

@@ -1,8 +1,8 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <fairlight/stats/moments.h>
 

@@ -1,9 +1,8 @@
-#include <support/house.h>
-
 #include <map>
 #include <regex>
 #include <sstream>
 
+#include <support/house.h>
 #include <support/temporary_folder.h>
 
 namespace fairlight::testing {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <rapidcheck.h>
-
 #include <vector>
+
+#include <rapidcheck.h>
 
 #include <fairlight/estimators/vec.h>
 

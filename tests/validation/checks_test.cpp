@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
+
+#include <gtest/gtest.h>
 
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/validation/checks.h>

@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 
-#include <fairlight/validation/domains.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 #include <support/unit_square.h>
+
+#include <fairlight/validation/domains.h>
 
 namespace fairlight {
 namespace {

@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <set>
 #include <stdexcept>
+
+#include <gtest/gtest.h>
 
 #include <fairlight/validation/registry.h>
 

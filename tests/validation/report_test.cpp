@@ -23,7 +23,8 @@ TEST(Report, SaysHowToReplayAClaim) {
 
 TEST(Report, HasTheFieldsOfTheContractAsJson) {
   const auto json = outcomes_json({outcome(Verdict::biased)}, conformance, 2);
-  for (const char* key : {"version", "seed", "budget", "seconds", "verdict", "claims"}) EXPECT_TRUE(json.contains(key)) << key;
+  for (const char* key : {"version", "seed", "budget", "seconds", "verdict", "claims"})
+    EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["verdict"], "biased");
   const auto& claim = json["claims"][0];
   EXPECT_EQ(claim["name"], registry()[0].name);

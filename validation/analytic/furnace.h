@@ -7,10 +7,10 @@
 
 namespace fairlight {
 
-/// The furnace: inside a closed diffuse sphere that emits Le everywhere and reflects rho, every path sees Le at every
-/// vertex, so L = Le (1 + rho + rho^2 + ...) = Le / (1 - rho) in every direction, and the terms up to depth n sum to
-/// Le (1 - rho^(n+1)) / (1 - rho). Source: the geometric series of the transport operator, whose value here is rho
-/// times the identity (Kajiya 1986).
+/// The furnace: inside a closed diffuse sphere that emits Le everywhere and reflects rho, every path sees Le at
+/// every vertex, so L = Le (1 + rho + rho^2 + ...) = Le / (1 - rho) in every direction, and the terms up to depth n
+/// sum to Le (1 - rho^(n+1)) / (1 - rho). Source: the geometric series of the transport operator, whose value here
+/// is rho times the identity (Kajiya 1986).
 ///
 /// The sphere is neither at the origin nor of unit size, and the three channels differ.
 struct Furnace {
@@ -29,13 +29,18 @@ struct Furnace {
 };
 
 /// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series.
-/// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q). Where rho = q a
-/// path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 40 leaves 2e-6. With shadow
+/// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q). Where rho =
+/// q a path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 40 leaves 2e-6. With shadow
 /// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger.
 template <class Tracer>
 Claim furnace_claim(const std::string& name, std::vector<std::string> subjects) {
-  return {name, "mean", std::move(subjects), "inside a closed sphere the radiance is Le / (1 - rho), per channel",
-          "geometric series of the transport operator", 1, [](const Trial& trial) {
+  return {name,
+          "mean",
+          std::move(subjects),
+          "inside a closed sphere the radiance is Le / (1 - rho), per channel",
+          "geometric series of the transport operator",
+          1,
+          [](const Trial& trial) {
             const Furnace furnace;
             const double q = furnace.albedo.maxCoeff();
             std::vector<Reference> references;
@@ -45,8 +50,8 @@ Claim furnace_claim(const std::string& name, std::vector<std::string> subjects) 
               const double ratio = furnace.albedo[c] / q;
               const bool endless = ratio == 1;
               const double upper = endless ? le * vertices : le / (1 - ratio) * (1 + 1e-9);
-              references.push_back({furnace.reference(c, -1), 0, upper,
-                                    endless ? le * std::pow(q, vertices) / (1 - q) : 0});
+              references.push_back(
+                  {furnace.reference(c, -1), 0, upper, endless ? le * std::pow(q, vertices) / (1 - q) : 0});
             }
             const Tracer tracer;
             return check_mean(trial, references, [&](auto& source) {
@@ -60,10 +65,14 @@ Claim furnace_claim(const std::string& name, std::vector<std::string> subjects) 
 template <class Tracer>
 Claim furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
                           double largest_weight) {
-  return {name, "mean", std::move(subjects),
+  return {name,
+          "mean",
+          std::move(subjects),
           "inside a closed sphere the terms up to depth " + std::to_string(depth) + " sum to Le (1 - rho^" +
               std::to_string(depth + 1) + ") / (1 - rho), per channel",
-          "geometric series of the transport operator", 1, [=](const Trial& trial) {
+          "geometric series of the transport operator",
+          1,
+          [=](const Trial& trial) {
             const Furnace furnace;
             std::vector<Reference> references;
             for (int c = 0; c < 3; ++c) {

@@ -6,9 +6,9 @@
 namespace fairlight {
 
 /// Spheres of radiance Le over a diffuse floor of albedo rho. A sphere of radius r at distance d, wholly above the
-/// horizon, gives the irradiance E = pi Le (r/d)^2 cos(theta) with theta the angle of its centre: its directions fill
-/// a cone of half-angle asin(r/d), and the projected solid angle of a cone is pi sin^2 cos(theta) (Nusselt's analogue;
-/// Snyder 1996). The floor then shows rho E / pi, whatever the direction of view, and lights add up.
+/// horizon, gives the irradiance E = pi Le (r/d)^2 cos(theta) with theta the angle of its centre: its directions
+/// fill a cone of half-angle asin(r/d), and the projected solid angle of a cone is pi sin^2 cos(theta) (Nusselt's
+/// analogue; Snyder 1996). The floor then shows rho E / pi, whatever the direction of view, and lights add up.
 struct SpheresOverPlane {
   struct Light {
     Vec3<double> centre;
@@ -19,12 +19,14 @@ struct SpheresOverPlane {
   Scene scene;
   std::vector<Light> lights;
   Rgb<double> albedo{0.75, 0.5, 0.25};
-  // The floor is a sphere of radius 1e5 seen from without, so all of the lights stand above its horizon at the origin.
+  // The floor is a sphere of radius 1e5 seen from without, so all of the lights stand above its horizon at the
+  // origin.
   Ray<double> ray{{0, 3, 0}, {0, -1, 0}, -1};
 
   explicit SpheresOverPlane(std::vector<Light> all) : lights(std::move(all)) {
     scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, albedo, Rgb<double>::Zero());
-    for (const Light& light : lights) scene.add_sphere(light.centre, light.radius, Rgb<double>::Zero(), light.radiance);
+    for (const Light& light : lights)
+      scene.add_sphere(light.centre, light.radius, Rgb<double>::Zero(), light.radiance);
   }
 
   /// The radiance of the floor at the origin.
@@ -70,10 +72,14 @@ inline SpheresOverPlane two_lights() {
 template <class Tracer, class Bound>
 Claim floor_claim(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& scene,
                   double margin_factor, const Bound& bound) {
-  return {name, "mean", std::move(subjects),
+  return {name,
+          "mean",
+          std::move(subjects),
           "under " + std::to_string(scene.lights.size()) +
               " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
-          "projected solid angle of a cone; Snyder 1996", margin_factor, [=](const Trial& trial) {
+          "projected solid angle of a cone; Snyder 1996",
+          margin_factor,
+          [=](const Trial& trial) {
             std::vector<Reference> references;
             for (int c = 0; c < 3; ++c) references.push_back({scene.reference(c), 0, bound(scene, c) * (1 + 1e-9)});
             const Tracer tracer(1);

@@ -1,9 +1,8 @@
-#include <fairlight/validation/faults/catalogue.h>
-
 #include <fairlight/validation/agreements.h>
 #include <fairlight/validation/analytic/furnace.h>
 #include <fairlight/validation/analytic/integrals.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
+#include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_components.h>
 #include <fairlight/validation/laws.h>
 
@@ -19,15 +18,19 @@ using Unpaid = RouletteByReflectance<faults::UnpaidRoulette>;
 double all_terms(const SpheresOverPlane& scene, int channel) { return scene.sum_of_terms(channel); }
 
 Fault theta_uniform() {
-  return {"sphere-theta-uniform", "Montelight", "Smerity/montelight-cpp",
+  return {"sphere-theta-uniform",
+          "Montelight",
+          "Smerity/montelight-cpp",
           {law_claim("sphere_light.area", "UniformSphereArea", "", faults::ThetaUniformSphere<double>(2.5),
                      SphereDomain{2.5}),
-           floor_claim<Tracer<DirectLight<AllOf, faults::ThetaUniformSphere>, NoRoulette>>("sphere_over_plane.light", {},
-                                                                                          one_light(), 1, all_terms)}};
+           floor_claim<Tracer<DirectLight<AllOf, faults::ThetaUniformSphere>, NoRoulette>>(
+               "sphere_over_plane.light", {}, one_light(), 1, all_terms)}};
 }
 
 Fault unpaid_roulette() {
-  return {"roulette-unpaid", "roulette unpaid", "openmc #3511; chunky #1018; Montelight",
+  return {"roulette-unpaid",
+          "roulette unpaid",
+          "openmc #3511; chunky #1018; Montelight",
           {roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3),
            furnace_claim<Tracer<NoDirectLight, Unpaid>>("furnace.bounce", {}),
            furnace_claim<Tracer<All, Unpaid>>("furnace.light", {}),
@@ -36,14 +39,18 @@ Fault unpaid_roulette() {
 
 Fault unweighted_light() {
   using Wrong = Tracer<DirectLight<faults::OneUnweighted>, NoRoulette>;
-  return {"one-light-unweighted", "luminaire probability", "LuxCore #68",
+  return {"one-light-unweighted",
+          "luminaire probability",
+          "LuxCore #68",
           {two_dice<faults::OneUnweighted>("pick.one.dice", {}),
            floor_claim<Wrong>("two_lights.one", {}, two_lights(), 1, all_terms),
            one_against_all<Wrong, Tracer<All, NoRoulette>>("two_lights.one_against_all")}};
 }
 
 Fault steep_cosine() {
-  return {"cosine-exponent-2-percent", "cosine sampler", "raytracing.github.io #145",
+  return {"cosine-exponent-2-percent",
+          "cosine sampler",
+          "raytracing.github.io #145",
           {law_claim("hemisphere.cosine", "CosineHemisphere", "", faults::SteepCosineHemisphere<double>{},
                      HemisphereDomain{}),
            hemisphere_integral<faults::SteepCosineHemisphere>("importance.cosine.cosine_squared", "", 2,
@@ -51,7 +58,9 @@ Fault steep_cosine() {
 }
 
 Fault emission_twice() {
-  return {"emission-twice", "double count", "the paper, A.2",
+  return {"emission-twice",
+          "double count",
+          "the paper, A.2",
           {furnace_claim<Tracer<faults::EmissionTwice, Roulette>>("furnace.light", {}),
            floor_claim<Tracer<faults::EmissionTwice, NoRoulette>>(
                "sphere_over_plane.light", {}, one_light(), 1,

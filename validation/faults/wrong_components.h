@@ -5,8 +5,8 @@
 #include <fairlight/estimators/sphere_light.h>
 #include <fairlight/render/direct_light.h>
 
-/// Wrong variants of the kit's components, each a bug that somebody shipped. They stand in for the right ones through
-/// the same template parameters, and are part of no library.
+/// Wrong variants of the kit's components, each a bug that somebody shipped. They stand in for the right ones
+/// through the same template parameters, and are part of no library.
 namespace fairlight::faults {
 
 /// Points on a sphere with the polar angle uniform: crowded at the poles. The density still says uniform.
