@@ -105,7 +105,8 @@ Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
       if (!(place.minCoeff() >= 0 && place.maxCoeff() <= 1)) throw BadDraw(i, place.x(), "outside the domain");
       const int row = std::min(static_cast<int>(place.x() * cells.rows), cells.rows - 1);
       const int column = std::min(static_cast<int>(place.y() * cells.columns), cells.columns - 1);
-      ++counts[static_cast<std::size_t>(row * cells.columns + column)];
+      ++counts[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns) +
+               static_cast<std::size_t>(column)];
     }
     return counts;
   });
