@@ -6,13 +6,13 @@
 
 #include <sys/resource.h>
 
-#include <fairlight/estimators/seed.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/render_command.h>
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/whole_file.h>
+#include <fairlight/stats/seed.h>
 
 namespace fairlight {
 namespace {

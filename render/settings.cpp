@@ -1,8 +1,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include <fairlight/estimators/seed.h>
 #include <fairlight/render/settings.h>
+#include <fairlight/stats/seed.h>
 
 namespace fairlight {
 

@@ -11,6 +11,13 @@
 
 namespace fairlight {
 
+/// Which biases a claim excludes.
+enum class Sides {
+  both,       ///< the mean is the reference
+  not_above,  ///< the mean is at most the reference
+  not_below,  ///< the mean is at least the reference
+};
+
 /// What is claimed of a random variable X: its mean, and the range that makes "too dark" testable.
 struct MeanHypothesis {
   double mean;            ///< the reference, E[X]
@@ -18,6 +25,7 @@ struct MeanHypothesis {
   double lower;           ///< X >= lower, always
   double upper;           ///< X <= upper: always if tail_slack is 0, else but for E[(X - upper)+] <= tail_slack
   double tail_slack = 0;  ///< in X's unit
+  Sides sides = Sides::both;
 };
 
 /// A draw that the hypothesis rules out: not a number, infinite, or out of its declared range.
@@ -30,17 +38,18 @@ class BadDraw : public std::runtime_error {
   std::uint64_t draw_;
 };
 
-/// Two-sided sequential test of a mean by betting, with an accept side.
+/// Sequential test of a mean by betting, with an accept side.
 ///
 /// Four wealth processes start at 1, and every bet uses earlier draws only:
 ///   U0 = prod 1 + l (X - mean)                      grows when X is too bright
 ///   D0 = prod 1 + l (mean - slack - min(X, upper))  grows when X is too dark
 ///   D1 = D0 against mean + margin,  U1 = U0 against mean - margin
-/// `biased` when U0 or D0 reaches 2/alpha; `certified` when D1 and U1 both reach 1/beta. Each process is a
-/// nonnegative supermartingale under the hypothesis that it tests, so by Ville's inequality the error rates hold at
-/// any stopping time and any number of draws, with no appeal to normality. Draws come in blocks, whose means are
-/// bet on; the size of a block depends on earlier draws only. Source: Waudby-Smith and Ramdas 2024, "Estimating
-/// means of bounded random variables by betting"; Ville 1939.
+/// `biased` when U0 or D0 reaches 2/alpha; `certified` when D1 and U1 both reach 1/beta. A one-sided claim
+/// (not_above) is biased when U0 reaches 1/alpha and certified when D1 reaches 1/beta, and likewise on the other
+/// side. Each process is a nonnegative supermartingale under the hypothesis that it tests, so by Ville's inequality
+/// the error rates hold at any stopping time and any number of draws, with no appeal to normality. Draws come in
+/// blocks, whose means are bet on; the size of a block depends on earlier draws only. Source: Waudby-Smith and
+/// Ramdas 2024, "Estimating means of bounded random variables by betting"; Ville 1939.
 class BettingTest {
  public:
   /// alpha: level of `biased`; beta: miss rate of `certified`; both in (0,1).
@@ -75,6 +84,7 @@ class BettingTest {
   };
 
   Block summarise(std::span<const double> draws);
+  void check_range(std::span<const double> draws) const;
   double bet(std::uint64_t block) const;
   double spread() const;
   double evidence(double candidate, bool above) const;

@@ -21,7 +21,7 @@ std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds
   for_each_unit(static_cast<int>(findings.size()), conformance.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
     Conformance run = conformance;
-    run.seed += i % per_cell;
+    run.terms.seed += i % per_cell;
     const Claim& claim = *cells[i / per_cell].claim;
     findings[i] = claim.check(trial_of(claim.name, run));
     const std::lock_guard lock(mutex);

@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <memory>
 
-#include <fairlight/estimators/seed.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
+#include <fairlight/stats/seed.h>
 #include <fairlight/validation/audit.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/report.h>
@@ -16,7 +16,7 @@ namespace {
 struct AuditOptions {
   std::string seed, json;
   int seeds = 10;
-  Conformance conformance{.seed = 0, .threads = hardware_threads()};
+  Conformance conformance{{.seed = 0}, hardware_threads()};
 };
 
 // A fault survives when no claim catches it every time.
@@ -53,7 +53,7 @@ nlohmann::json faults_json(const std::vector<FaultOutcome>& outcomes) {
 int faults(const AuditOptions& options) {
   if (!options.json.empty()) WholeFile::check_writable(options.json);
   Conformance conformance = options.conformance;
-  conformance.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
+  conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
   const auto outcomes = audit_faults(conformance, options.seeds, progress_bar("audit faults"));
   if (!options.json.empty()) write_json(options.json, faults_json(outcomes));
   std::printf("%-28s %-34s %10s %12s %8s\n", "fault", "claim", "effect", "draws", "caught");
@@ -63,7 +63,7 @@ int faults(const AuditOptions& options) {
   }
   const auto alive = survivors(outcomes);
   std::printf("%zu of %zu faults caught with every seed (first seed %s)\n", fault_catalogue().size() - alive.size(),
-              fault_catalogue().size(), seed_text(conformance.seed).c_str());
+              fault_catalogue().size(), seed_text(conformance.terms.seed).c_str());
   for (const Fault* fault : alive) std::printf("survivor: %s\n", fault->name.c_str());
   return alive.empty() ? 0 : 1;
 }

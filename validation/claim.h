@@ -1,22 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include <fairlight/stats/manifest.h>
 #include <fairlight/stats/verdict.h>
 
 namespace fairlight {
-
-/// What a check is given: its own random numbers, its share of the false alarms, and what it must show.
-struct Trial {
-  std::string claim;  ///< the purpose of its random numbers, so that no two claims share any
-  std::uint64_t seed;
-  double alpha;   ///< level: the probability of a false alarm on right code
-  double beta;    ///< miss rate: the probability that a bias of the margin is certified
-  double margin;  ///< the bias to exclude, relative to the reference
-};
 
 /// One row of the registry: something that is claimed of the kit, and how it is checked.
 struct Claim {

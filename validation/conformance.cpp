@@ -1,30 +1,16 @@
-#include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <stdexcept>
 
 #include <fairlight/render/parallel.h>
-#include <fairlight/stats/budget.h>
 #include <fairlight/validation/conformance.h>
 #include <fairlight/validation/registry.h>
 
 namespace fairlight {
 
 Trial trial_of(const std::string& claim, const Conformance& conformance) {
-  const auto& rows = registry();
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const Claim& c) { return c.name == claim; });
-  if (row == rows.end())
-    throw std::invalid_argument("\"" + claim + "\" is not in the registry (and so has no share)");
-  const double margin = conformance.margin * row->margin_factor;
-  if (!(conformance.margin > 0 && margin < 1)) {
-    throw std::invalid_argument("the margin must be in (0," + std::to_string(1 / row->margin_factor) + ") for " +
-                                claim + " (its own is " + std::to_string(row->margin_factor) + " times that)");
-  }
-  std::vector<double> weights;
-  for (const Claim& c : rows) weights.push_back(c.weight);
-  const Budget budget(conformance.budget, weights);
-  return {claim, conformance.seed, budget.share(static_cast<std::size_t>(row - rows.begin())), conformance.beta,
-          margin};
+  std::vector<Manifest::Row> rows;
+  for (const Claim& c : registry()) rows.push_back({c.name, c.weight, c.margin_factor});
+  return Manifest(rows, conformance.terms).trial(claim);
 }
 
 std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const Conformance& conformance,

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <fairlight/stats/domains.h>
 #include <fairlight/validation/checks.h>
-#include <fairlight/validation/domains.h>
 
 namespace fairlight {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <fairlight/estimators/seed.h>
+#include <fairlight/stats/seed.h>
 #include <fairlight/validation/report.h>
 #include <fairlight/version.h>
 
@@ -25,10 +25,10 @@ std::string text(const char* format, auto... values) {
 }  // namespace
 
 std::string replay(const std::string& claim, const Conformance& conformance) {
-  std::string command = "fairlight verify " + claim + " --seed " + seed_text(conformance.seed);
-  const Conformance usual{};
-  if (conformance.margin != usual.margin) command += text(" --margin %.17g", conformance.margin);
-  if (conformance.budget != usual.budget) command += text(" --budget %.17g", conformance.budget);
+  std::string command = "fairlight verify " + claim + " --seed " + seed_text(conformance.terms.seed);
+  const Conformance usual{{.seed = 0}};
+  if (conformance.terms.margin != usual.terms.margin) command += text(" --margin %.17g", conformance.terms.margin);
+  if (conformance.terms.budget != usual.terms.budget) command += text(" --budget %.17g", conformance.terms.budget);
   return command;
 }
 
@@ -64,8 +64,8 @@ nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conform
                       {"note", finding.note},
                       {"replay", replay(claim->name, conformance)}});
   }
-  return {{"version", version}, {"seed", seed_text(conformance.seed)}, {"budget", conformance.budget},
-          {"seconds", seconds}, {"verdict", name(overall(outcomes))},  {"claims", claims}};
+  return {{"version", version}, {"seed", seed_text(conformance.terms.seed)}, {"budget", conformance.terms.budget},
+          {"seconds", seconds}, {"verdict", name(overall(outcomes))},        {"claims", claims}};
 }
 
 }  // namespace fairlight

@@ -2,10 +2,10 @@
 #include <chrono>
 #include <memory>
 
-#include <fairlight/estimators/seed.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
+#include <fairlight/stats/seed.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/conformance.h>
 #include <fairlight/validation/registry.h>
@@ -18,7 +18,7 @@ struct VerifyOptions {
   std::vector<std::string> claims;
   bool list = false;
   std::string seed, json;
-  Conformance conformance{.seed = 0, .threads = hardware_threads()};
+  Conformance conformance{{.seed = 0}, hardware_threads()};
 };
 
 int list(const std::vector<const Claim*>& claims) {
@@ -41,7 +41,7 @@ void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conf
     std::printf("%s: %td of %zu claims failed", name(verdict), failures, outcomes.size());
   }
   std::printf(" (%.1f s, seed %s, false alarms %.0e a run, miss rate %.0e a claim)\n", seconds,
-              seed_text(conformance.seed).c_str(), conformance.budget, conformance.beta);
+              seed_text(conformance.terms.seed).c_str(), conformance.terms.budget, conformance.terms.beta);
 }
 
 int verify(const VerifyOptions& options) {
@@ -49,7 +49,7 @@ int verify(const VerifyOptions& options) {
   if (options.list) return list(claims);
   if (!options.json.empty()) WholeFile::check_writable(options.json);
   Conformance conformance = options.conformance;
-  conformance.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
+  conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Outcome> outcomes = run_claims(claims, conformance, progress_bar("verify"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -68,8 +68,9 @@ void add_verify_command(CLI::App& program, Command& command) {
                   "Which claims: names, their first parts, or patterns; all if none given")
       ->type_name("CLAIM");
   app->add_flag("--list", options->list, "List the claims, and run nothing");
-  app->add_option("--margin", options->conformance.margin, "The relative bias to exclude")->capture_default_str();
-  app->add_option("--budget", options->conformance.budget, "The probability of a false alarm in a whole run")
+  app->add_option("--margin", options->conformance.terms.margin, "The relative bias to exclude")
+      ->capture_default_str();
+  app->add_option("--budget", options->conformance.terms.budget, "The probability of a false alarm in a whole run")
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Replays a run: the 16 hexadecimal digits that it printed");
   app->add_option("--json", options->json, "The outcomes, as JSON")->type_name("F.json");

@@ -9,7 +9,7 @@
 
 int main() {
   using namespace fairlight;
-  const Conformance conformance{.seed = 1, .margin = 0.05, .threads = 1};
+  const Conformance conformance{{.seed = 1, .margin = 0.05}, 1};
   const auto outcomes = run_claims(select_claims({"pick.one.dice"}), conformance);
   std::printf("%s, %zu surfaces\n", name(overall(outcomes)),
               built_in_scene("cornell-simple").scene.surfaces().size());

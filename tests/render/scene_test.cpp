@@ -1,4 +1,4 @@
-#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -8,6 +8,8 @@
 namespace fairlight {
 namespace {
 
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const Rgb<double> grey(0.5, 0.5, 0.5);
 const Rgb<double> none(0, 0, 0);
 
@@ -47,12 +49,12 @@ TEST(Scene, RefusesImpossibleSurfaces) {
   Scene scene;
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, 0, grey, none), std::invalid_argument);
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, -1, grey, none), std::invalid_argument);
-  EXPECT_THROW(scene.add_sphere({0, 0, 0}, INFINITY, grey, none), std::invalid_argument);
-  EXPECT_THROW(scene.add_sphere({0, NAN, 0}, 1, grey, none), std::invalid_argument);
+  EXPECT_THROW(scene.add_sphere({0, 0, 0}, inf, grey, none), std::invalid_argument);
+  EXPECT_THROW(scene.add_sphere({0, nan, 0}, 1, grey, none), std::invalid_argument);
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, Rgb<double>(0.5, 1.01, 0.5), none), std::invalid_argument);
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, Rgb<double>(0.5, -0.1, 0.5), none), std::invalid_argument);
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, grey, Rgb<double>(0, -1, 0)), std::invalid_argument);
-  EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, grey, Rgb<double>(0, INFINITY, 0)), std::invalid_argument);
+  EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, grey, Rgb<double>(0, inf, 0)), std::invalid_argument);
   EXPECT_THROW(scene.add_wall({0, 0, 0}, {0, 2, 0}, 1e5, grey, none), std::invalid_argument);
   EXPECT_TRUE(scene.surfaces().empty());
 }

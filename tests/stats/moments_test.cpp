@@ -33,6 +33,49 @@ TEST(Moments, KeepASmallVarianceOnALargeMean) {
   EXPECT_EQ(all.squared_deviations(), 2000);
 }
 
+// 0, 0, 0, 4: deviations -1, -1, -1, 3.
+TEST(Moments, OfTheThirdAndFourthOrder) {
+  const std::vector<double> draws{0, 0, 0, 4};
+  const Moments moments = Moments::of(draws);
+  EXPECT_EQ(moments.minimum(), 0);
+  EXPECT_EQ(moments.maximum(), 4);
+  EXPECT_DOUBLE_EQ(moments.skewness(), 2 * 24 / std::pow(12, 1.5));
+  EXPECT_DOUBLE_EQ(moments.kurtosis(), 4.0 * 84 / 144);
+  EXPECT_DOUBLE_EQ(moments.variance_of_variance(), 84.0 / 144 - 0.25);
+  EXPECT_DOUBLE_EQ(moments.standard_error(), 1);
+}
+
+TEST(Moments, OfEqualDrawsHaveNoShape) {
+  const std::vector<double> draws{5, 5, 5};
+  EXPECT_EQ(Moments::of(draws).skewness(), 0);
+  EXPECT_EQ(Moments::of(draws).kurtosis(), 0);
+  EXPECT_EQ(Moments::of(draws).variance_of_variance(), 0);
+}
+
+// 2^40 draws of 0 and 1, by doubling: mean 1/2, variance 1/4, no skewness, kurtosis 1.
+TEST(Moments, AreStableForATrillionDraws) {
+  const std::vector<double> pair{0, 1};
+  Moments all = Moments::of(pair);
+  for (int i = 1; i < 40; ++i) all.merge(Moments(all));
+  EXPECT_EQ(all.count(), std::uint64_t{1} << 40);
+  EXPECT_EQ(all.mean(), 0.5);
+  EXPECT_DOUBLE_EQ(all.variance(), 0.25);
+  EXPECT_EQ(all.skewness(), 0);
+  EXPECT_DOUBLE_EQ(all.kurtosis(), 1);
+}
+
+// The same draws, one block at a time onto a sum of 10^12.
+TEST(Moments, DoNotStallWhenABlockMeetsATrillion) {
+  const std::vector<double> pair{0, 1};
+  Moments all = Moments::of(pair);
+  for (int i = 1; i < 40; ++i) all.merge(Moments(all));
+  const std::vector<double> block{2, 2};
+  const auto n = static_cast<double>(all.count());
+  for (int i = 0; i < 1000; ++i) all.merge(Moments::of(block));
+  EXPECT_NEAR(all.mean() - 0.5, 1.5 * 2000 / (n + 2000), 1e-13);
+  EXPECT_EQ(all.maximum(), 2);
+}
+
 RC_GTEST_PROP(Moments, MergingIsCountingTogether, (std::vector<int> a, std::vector<int> b)) {
   const std::vector<double> first(a.begin(), a.end());
   const std::vector<double> second(b.begin(), b.end());
@@ -42,6 +85,10 @@ RC_GTEST_PROP(Moments, MergingIsCountingTogether, (std::vector<int> a, std::vect
   merged.merge(Moments::of(second));
   const Moments whole = Moments::of(both);
   RC_ASSERT(merged.count() == whole.count());
+  RC_PRE(whole.count() > 0u);
+  RC_ASSERT(merged.minimum() == whole.minimum() && merged.maximum() == whole.maximum());
+  RC_ASSERT(std::abs(merged.skewness() - whole.skewness()) <= 1e-9 * (1 + std::abs(whole.skewness())));
+  RC_ASSERT(std::abs(merged.kurtosis() - whole.kurtosis()) <= 1e-9 * (1 + whole.kurtosis()));
   RC_ASSERT(std::abs(merged.mean() - whole.mean()) <= 1e-12 * (1 + std::abs(whole.mean()) * 1e3));
   RC_ASSERT(std::abs(merged.squared_deviations() - whole.squared_deviations()) <=
             1e-9 * (1 + whole.squared_deviations()));

@@ -8,7 +8,7 @@
 namespace fairlight {
 namespace {
 
-const Conformance quick{.seed = 3, .margin = 0.05, .threads = 1};
+const Conformance quick{{.seed = 3, .margin = 0.05}, 1};
 
 TEST(TrialOf, GivesAClaimItsShareWhateverElseRuns) {
   double sum = 0;
@@ -23,12 +23,12 @@ TEST(TrialOf, RefusesAClaimOutsideTheRegistry) {
 TEST(TrialOf, RefusesMarginsAndBudgetsThatAreNoProbability) {
   for (double margin : {0.0, -1.0, 1.0, 5.0}) {
     Conformance wrong = quick;
-    wrong.margin = margin;
+    wrong.terms.margin = margin;
     EXPECT_THROW(trial_of(registry()[0].name, wrong), std::invalid_argument) << margin;
   }
   for (double budget : {0.0, 1.0, -1.0}) {
     Conformance wrong = quick;
-    wrong.budget = budget;
+    wrong.terms.budget = budget;
     EXPECT_THROW(trial_of(registry()[0].name, wrong), std::invalid_argument) << budget;
   }
 }

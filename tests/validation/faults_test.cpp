@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <fairlight/estimators/seed.h>
+#include <fairlight/stats/seed.h>
 #include <fairlight/validation/audit.h>
 #include <fairlight/validation/registry.h>
 
@@ -10,16 +10,17 @@ namespace {
 TEST(Faults, StandInForRowsOfTheRegistry) {
   for (const Fault& fault : fault_catalogue()) {
     EXPECT_FALSE(fault.claims.empty()) << fault.name;
-    for (const Claim& claim : fault.claims) EXPECT_NO_THROW(trial_of(claim.name, Conformance{})) << claim.name;
+    for (const Claim& claim : fault.claims)
+      EXPECT_NO_THROW(trial_of(claim.name, Conformance{{.seed = 0}})) << claim.name;
   }
 }
 
 // A short form of `fairlight audit faults`.
 TEST(Faults, AreAllBiasedInEveryClaimThatTheyStandIn) {
-  const Conformance conformance{.seed = fresh_seed(), .threads = 2};
+  const Conformance conformance{{.seed = fresh_seed()}, 2};
   for (const FaultOutcome& outcome : audit_faults(conformance, 2)) {
     EXPECT_EQ(outcome.caught, outcome.seeds)
-        << outcome.fault->name << " in " << outcome.claim << ", seed " << seed_text(conformance.seed);
+        << outcome.fault->name << " in " << outcome.claim << ", seed " << seed_text(conformance.terms.seed);
   }
 }
 

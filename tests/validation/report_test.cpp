@@ -6,7 +6,7 @@
 namespace fairlight {
 namespace {
 
-const Conformance conformance{.seed = 0xAB};
+const Conformance conformance{{.seed = 0xAB}};
 
 Outcome outcome(Verdict verdict) {
   Outcome made{&registry()[0], {}, 1.5};
@@ -17,7 +17,7 @@ Outcome outcome(Verdict verdict) {
 TEST(Report, SaysHowToReplayAClaim) {
   EXPECT_EQ(replay("a.b", conformance), "fairlight verify a.b --seed 00000000000000ab");
   Conformance unusual = conformance;
-  unusual.margin = 0.125;
+  unusual.terms.margin = 0.125;
   EXPECT_EQ(replay("a.b", unusual), "fairlight verify a.b --seed 00000000000000ab --margin 0.125");
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <fairlight/estimators/seed.h>
+#include <fairlight/stats/seed.h>
 
 namespace fairlight {
 namespace {

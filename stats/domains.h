@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include <Eigen/Core>
+
+namespace fairlight {
+
+/// A domain is an image of the unit square that preserves areas up to one constant, `size()`, so that a density
+/// integrates over it as over the square, and cells of the square are cells of it. `at(s, t)` is the point of the
+/// square's (s, t); `coordinates(x)` the inverse. A one-dimensional domain ignores t, and gives 1/2 for it.
+
+/// The interval [low, high]. Points are numbers.
+struct IntervalDomain {
+  double low, high;
+
+  double size() const { return high - low; }
+  double at(double s, double) const { return low + (high - low) * s; }
+  Eigen::Vector2d coordinates(double x) const { return {(x - low) / (high - low), 0.5}; }
+};
+
+/// The square [low, high]^2.
+struct SquareDomain {
+  double low, high;
+
+  double size() const { return (high - low) * (high - low); }
+  Eigen::Vector2d at(double s, double t) const { return {low + (high - low) * s, low + (high - low) * t}; }
+  Eigen::Vector2d coordinates(const Eigen::Vector2d& x) const {
+    return {(x.x() - low) / (high - low), (x.y() - low) / (high - low)};
+  }
+};
+
+namespace detail {
+
+/// The fraction of a turn from -x at which the point lies, in [0,1], and the point of the unit circle there.
+inline double turn(double x, double y) { return std::atan2(y, x) / (2 * std::numbers::pi) + 0.5; }
+inline Eigen::Vector2d on_circle(double turn) {
+  const double phi = 2 * std::numbers::pi * (turn - 0.5);
+  return {std::cos(phi), std::sin(phi)};
+}
+inline Eigen::Vector3d at_height(double z, double turn) {
+  const Eigen::Vector2d ring = std::sqrt((1 - z) * (1 + z)) * on_circle(turn);
+  return {ring.x(), ring.y(), z};
+}
+
+}  // namespace detail
+
+/// The disk of the given radius about the origin. Equal steps of r^2 have equal areas.
+struct DiskDomain {
+  double radius;
+
+  double size() const { return std::numbers::pi * radius * radius; }
+  Eigen::Vector2d at(double s, double t) const { return radius * std::sqrt(s) * detail::on_circle(t); }
+  Eigen::Vector2d coordinates(const Eigen::Vector2d& x) const {
+    return {x.squaredNorm() / (radius * radius), detail::turn(x.x(), x.y())};
+  }
+};
+
+/// Directions with z >= 0, unit vectors. Equal heights have equal areas (Archimedes).
+struct HemisphereDomain {
+  double size() const { return 2 * std::numbers::pi; }
+  Eigen::Vector3d at(double s, double t) const { return detail::at_height(s, t); }
+  Eigen::Vector2d coordinates(const Eigen::Vector3d& w) const { return {w.z(), detail::turn(w.x(), w.y())}; }
+};
+
+/// The surface of a sphere, its points given as unit normals.
+struct SphereDomain {
+  double radius;
+
+  double size() const { return 4 * std::numbers::pi * radius * radius; }
+  Eigen::Vector3d at(double s, double t) const { return detail::at_height(2 * s - 1, t); }
+  Eigen::Vector2d coordinates(const Eigen::Vector3d& n) const {
+    return {(n.z() + 1) / 2, detail::turn(n.x(), n.y())};
+  }
+};
+
+/// The numbers 0 .. n-1, whose "density" is a probability; one cell each.
+struct DiscreteDomain {
+  std::int64_t n;
+
+  double size() const { return static_cast<double>(n); }
+  std::int64_t at(double s, double) const { return static_cast<std::int64_t>(s * static_cast<double>(n)); }
+  Eigen::Vector2d coordinates(std::int64_t i) const {
+    return {(static_cast<double>(i) + 0.5) / static_cast<double>(n), 0.5};
+  }
+};
+
+}  // namespace fairlight

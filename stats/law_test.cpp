@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+
+#include <fairlight/stats/chi_square.h>
+#include <fairlight/stats/law_test.h>
+
+namespace fairlight {
+namespace {
+
+Finding refuted(const Trial& trial, const std::string& why) {
+  Finding finding{Verdict::biased, Guarantee::deterministic, trial.margin};
+  finding.note = why;
+  return finding;
+}
+
+// What the statistic says of the distance between the two laws: each end wrong with probability beta.
+Interval distance_interval(const ChiSquare& result, double draws, double beta) {
+  const auto distance = [&](double probability_below) {
+    if (boost::math::cdf(boost::math::chi_squared(result.degrees), result.statistic) <= probability_below)
+      return 0.0;
+    return std::sqrt(boost::math::non_central_chi_squared::find_non_centrality(result.degrees, result.statistic,
+                                                                               probability_below) /
+                     draws);
+  };
+  return {distance(1 - beta), distance(beta)};
+}
+
+// The first cell whose count its binomial law rules out at level alpha, both tails, all cells together; -1 if none.
+int wrong_cell(const std::vector<std::uint64_t>& counts, const LawCells& cells, std::uint64_t draws, double alpha) {
+  const double level = alpha / (2 * static_cast<double>(counts.size()));
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (cells.probabilities[i] == 0) continue;  // chi_square refuses a hit there
+    const boost::math::binomial law(static_cast<double>(draws), cells.probabilities[i]);
+    const auto k = static_cast<double>(counts[i]);
+    const bool too_few = cdf(law, k) < level;
+    const bool too_many = k > 0 && cdf(complement(law, k - 1)) < level;
+    if (too_few || too_many) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts,
+               std::uint64_t draws) {
+  const ChiSquare result = chi_square(counts, cells.probabilities);
+  Finding finding{judge(result, draws, trial.margin, trial.alpha / 2, trial.beta), Guarantee::asymptotic,
+                  trial.margin};
+  const auto n = static_cast<double>(draws);
+  finding.draws = draws;
+  finding.bias = std::sqrt(std::max(result.statistic - result.degrees, 0.0) / n);
+  finding.interval = distance_interval(result, n, trial.beta);
+  const int wrong = wrong_cell(counts, cells, draws, trial.alpha / 2);
+  if (wrong >= 0) {
+    const auto cell = static_cast<std::size_t>(wrong);
+    finding.verdict = Verdict::biased;
+    finding.note = "cell " + std::to_string(wrong) + " has " + std::to_string(counts[cell]) + " draws where " +
+                   std::to_string(n * cells.probabilities[cell]) + " are expected";
+  }
+  return finding;
+}
+
+}  // namespace
+
+Finding test_counts(const Trial& trial, const LawCells& cells,
+                    const std::function<std::vector<std::uint64_t>(std::uint64_t draws)>& count) {
+  const double total = std::accumulate(cells.probabilities.begin(), cells.probabilities.end(), 0.0);
+  if (cells.error > 1e-6)
+    return refuted(trial, "the density cannot be integrated to 1e-6 (give a domain that it suits)");
+  if (!(std::abs(total - 1) <= 1e-6 + cells.error)) {
+    return refuted(trial, "the density integrates to " + std::to_string(total) + ", not to 1");
+  }
+  const std::uint64_t draws =
+      draws_to_tell_apart(cells.probabilities.size(), trial.margin, trial.alpha / 2, trial.beta);
+  try {
+    const std::vector<std::uint64_t> counts = count(draws);
+    if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws) {
+      return refuted(trial, "the counts do not add up to the number of draws");
+    }
+    return judged(trial, cells, counts, draws);
+  } catch (const BadDraw& bad) {
+    return refuted(trial, bad.what());
+  } catch (const std::invalid_argument& bad) {
+    return refuted(trial, bad.what());
+  }
+}
+
+}  // namespace fairlight

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fairlight/stats/betting_test.h>
+#include <fairlight/stats/domains.h>
+#include <fairlight/stats/manifest.h>
+#include <fairlight/stats/quadrature.h>
+
+namespace fairlight {
+
+/// A grid of cells over a domain's square, with the probabilities that a density gives them.
+struct LawCells {
+  int rows;
+  int columns;
+  std::vector<double> probabilities;
+  double error;  ///< of their sum, as the quadrature states it
+
+  std::size_t index(const Eigen::Vector2d& place) const {
+    const auto cut = [](double x, int n) {
+      return static_cast<std::size_t>(std::min(static_cast<int>(x * n), n - 1));
+    };
+    return cut(place.x(), rows) * static_cast<std::size_t>(columns) + cut(place.y(), columns);
+  }
+};
+
+/// The cells' probabilities, by quadrature of `pdf(point)` over the domain.
+template <class Domain, class Pdf>
+LawCells law_cells(const Domain& domain, const Pdf& pdf) {
+  LawCells cells{16, 8, {}, 0};
+  for (int row = 0; row < cells.rows; ++row) {
+    for (int column = 0; column < cells.columns; ++column) {
+      const Integral cell = integrate_rectangle(
+          [&](double s, double t) { return pdf(domain.at(s, t)) * domain.size(); }, double(row) / cells.rows,
+          double(row + 1) / cells.rows, double(column) / cells.columns, double(column + 1) / cells.columns);
+      cells.probabilities.push_back(cell.value);
+      cells.error += cell.error;
+    }
+  }
+  return cells;
+}
+
+/// One cell a number, whose probability is read off; at most 2^20 of them.
+template <class Pdf>
+LawCells law_cells(const DiscreteDomain& domain, const Pdf& pdf) {
+  if (domain.n < 2 || domain.n > 1 << 20)
+    throw std::invalid_argument("a discrete law must have 2 .. 2^20 outcomes");
+  LawCells cells{static_cast<int>(domain.n), 1, {}, 0};
+  for (std::int64_t i = 0; i < domain.n; ++i) cells.probabilities.push_back(pdf(i));
+  return cells;
+}
+
+/// Counts against cells, `count(draws)` giving the counts of that many draws.
+///  * the probabilities sum to one within 1e-6 and the quadrature's error;
+///  * chi-square on all cells, both tails, with as many draws as the margin (a relative L2 distance) asks for;
+///  * the exact binomial law of every cell, so that one wrong cell among many is seen.
+/// Each statistical part has half of alpha. Guarantee: asymptotic, as chi-square is.
+Finding test_counts(const Trial& trial, const LawCells& cells,
+                    const std::function<std::vector<std::uint64_t>(std::uint64_t draws)>& count);
+
+/// Draws follow their density, which is positive where they fall and integrates to one over the domain.
+/// `draw(i)` gives draw i, `pdf(point)` its density against the domain's measure.
+template <class Domain, class Pdf, class Draw>
+Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&& draw) {
+  const LawCells cells = law_cells(domain, pdf);
+  return test_counts(trial, cells, [&](std::uint64_t draws) {
+    std::vector<std::uint64_t> counts(cells.probabilities.size());
+    for (std::uint64_t i = 0; i < draws; ++i) {
+      const auto x = draw(i);
+      const double density = pdf(x);
+      if (!(density > 0 && std::isfinite(density))) throw BadDraw(i, density, "the density where it fell");
+      const Eigen::Vector2d place = domain.coordinates(x);
+      if (!(place.minCoeff() >= 0 && place.maxCoeff() <= 1)) throw BadDraw(i, place.x(), "outside the domain");
+      ++counts[cells.index(place)];
+    }
+    return counts;
+  });
+}
+
+}  // namespace fairlight

@@ -1,0 +1,46 @@
+#include <stdexcept>
+
+#include <fairlight/stats/manifest.h>
+
+namespace fairlight {
+namespace {
+
+std::vector<double> weights_of(const std::vector<Manifest::Row>& rows) {
+  std::vector<double> weights;
+  for (const auto& row : rows) weights.push_back(row.weight);
+  return weights;
+}
+
+}  // namespace
+
+Manifest::Manifest(std::vector<Row> rows, const Terms& terms)
+    : rows_(std::move(rows)), terms_(terms), budget_(terms.budget, weights_of(rows_)) {
+  if (!(terms.beta > 0 && terms.beta < 1)) {
+    throw std::invalid_argument("the miss rate must be in (0,1) (it is a probability)");
+  }
+  if (!(terms.margin > 0 && terms.margin < 1)) {
+    throw std::invalid_argument("the margin must be in (0,1) (it is relative to the reference)");
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (!index_.emplace(rows_[i].name, i).second) {
+      throw std::invalid_argument("two claims are named \"" + rows_[i].name +
+                                  "\" (a name owns its random numbers)");
+    }
+  }
+}
+
+Trial Manifest::trial(const std::string& claim) const {
+  const auto found = index_.find(claim);
+  if (found == index_.end()) {
+    throw std::invalid_argument("\"" + claim + "\" is not in the manifest (and so has no share of the budget)");
+  }
+  const double margin = terms_.margin * rows_[found->second].margin_factor;
+  if (!(margin > 0 && margin < 1)) {
+    throw std::invalid_argument("the margin of \"" + claim +
+                                "\" must be in (0,1) (it is the run's times its own factor, " +
+                                std::to_string(rows_[found->second].margin_factor) + ")");
+  }
+  return {claim, terms_.seed, budget_.share(found->second), terms_.beta, margin};
+}
+
+}  // namespace fairlight

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fairlight/stats/mean_test.h>
+
+namespace fairlight {
+namespace {
+
+bool open(const BettingTest& test) { return test.verdict() == Verdict::undecided; }
+
+// Runs the tests to their verdicts, or until the last of them has lost patience.
+void run(std::vector<BettingTest>& tests, const DrawBlock& draw_block) {
+  std::vector<std::vector<double>> channels(tests.size());
+  for (std::uint64_t drawn = 0;;) {
+    std::uint64_t block = 0;
+    double patience = 0;
+    for (const BettingTest& test : tests) {
+      if (test.verdict() == Verdict::biased) return;
+      if (!open(test)) continue;
+      block = block == 0 ? test.block_size() : std::min(block, test.block_size());
+      patience = std::max(patience, test.patience());
+    }
+    if (block == 0 || static_cast<double>(drawn) > patience) return;
+    for (auto& channel : channels) channel.resize(block);
+    draw_block(drawn, channels);
+    for (std::size_t c = 0; c < tests.size(); ++c) tests[c].add(channels[c]);
+    drawn += block;
+  }
+}
+
+// The bias of the worst channel over a few draws, for the report alone: the verdict rests on a draw out of its
+// range.
+double rough_bias(const std::vector<Reference>& references, const DrawBlock& draw_block) {
+  std::vector<std::vector<double>> channels(references.size(), std::vector<double>(4096));
+  draw_block(0, channels);
+  double worst = 0;
+  for (std::size_t c = 0; c < references.size(); ++c) {
+    const double bias = (Moments::of(channels[c]).mean() - references[c].mean) / references[c].scale;
+    if (!(std::abs(bias) <= std::abs(worst))) worst = bias;
+  }
+  return worst;
+}
+
+Finding finding_of(const BettingTest& test, const Reference& reference, double margin) {
+  const Interval interval = test.interval();
+  const auto relative = [&](double x) { return (x - reference.mean) / reference.scale; };
+  return {test.verdict(),
+          Guarantee::exact,
+          margin,
+          relative(test.moments().mean()),
+          {relative(interval.lo), relative(interval.hi)},
+          test.moments().count()};
+}
+
+Finding worst_of(const std::vector<BettingTest>& tests, const std::vector<Reference>& references, double margin) {
+  Finding worst = finding_of(tests[0], references[0], margin);
+  for (std::size_t c = 1; c < tests.size(); ++c) {
+    const Finding finding = finding_of(tests[c], references[c], margin);
+    const Verdict verdict = worse(worst.verdict, finding.verdict);
+    const std::uint64_t draws = std::max(worst.draws, finding.draws);
+    if (std::abs(finding.bias) > std::abs(worst.bias)) worst = finding;
+    worst.verdict = verdict;
+    worst.draws = draws;
+  }
+  if (worst.verdict == Verdict::undecided) worst.note = "the cap on draws came first";
+  return worst;
+}
+
+}  // namespace
+
+Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block) {
+  if (references.empty()) throw std::invalid_argument("a test of means needs at least one reference");
+  std::vector<BettingTest> tests;
+  const double alpha = trial.alpha / static_cast<double>(references.size());
+  for (const Reference& r : references) {
+    const MeanHypothesis hypothesis{r.mean, trial.margin * r.scale, r.lower, r.upper, r.tail_slack, r.sides};
+    tests.emplace_back(hypothesis, alpha, trial.beta);
+  }
+  try {
+    run(tests, draw_block);
+  } catch (const BadDraw& bad) {
+    Finding finding{Verdict::biased, Guarantee::exact, trial.margin};
+    finding.bias = rough_bias(references, draw_block);
+    finding.draws = bad.draw() + 1;
+    finding.note = bad.what();
+    return finding;
+  }
+  return worst_of(tests, references, trial.margin);
+}
+
+}  // namespace fairlight

@@ -1,0 +1,72 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <support/unit_square.h>
+
+#include <fairlight/stats/domains.h>
+
+namespace fairlight {
+namespace {
+
+template <class Domain>
+void check_inverse(const Domain& domain) {
+  rc::check([domain] {
+    const Eigen::Vector2d u = *testing::unit_point();
+    RC_PRE(u.y() > 1e-9);  // the seam, where the turn jumps from 0 to 1
+    const Eigen::Vector2d back = domain.coordinates(domain.at(u.x(), u.y()));
+    RC_ASSERT((back - u).norm() < 1e-7);
+  });
+}
+
+// |dx/ds x dx/dt| is the constant size: cells of equal area in the square are cells of equal area in the domain.
+template <class Domain>
+void check_area(const Domain& domain, double scale) {
+  rc::check([domain, scale] {
+    const Eigen::Vector2d u = Eigen::Vector2d::Constant(0.01) + 0.98 * *testing::unit_point();
+    constexpr double h = 1e-6;
+    const Eigen::Vector3d ds = (domain.at(u.x() + h, u.y()) - domain.at(u.x() - h, u.y())) / (2 * h);
+    const Eigen::Vector3d dt = (domain.at(u.x(), u.y() + h) - domain.at(u.x(), u.y() - h)) / (2 * h);
+    RC_ASSERT(std::abs(ds.cross(dt).norm() * scale / domain.size() - 1) < 1e-6);
+  });
+}
+
+TEST(HemisphereDomain, PreservesAreaAndInverts) {
+  check_inverse(HemisphereDomain{});
+  check_area(HemisphereDomain{}, 1);
+}
+
+TEST(SphereDomain, PreservesAreaAndInverts) {
+  check_inverse(SphereDomain{3});
+  check_area(SphereDomain{3}, 9);
+}
+
+TEST(DiskDomain, PreservesAreaAndInverts) {
+  check_inverse(DiskDomain{2});
+  EXPECT_TRUE(DiskDomain{2}.at(0.25, 0.5).isApprox(Eigen::Vector2d(1, 0)));
+  EXPECT_DOUBLE_EQ(DiskDomain{2}.size(), 4 * M_PI);
+}
+
+TEST(IntervalDomain, IgnoresTheSecondCoordinate) {
+  const IntervalDomain interval{-1, 3};
+  EXPECT_EQ(interval.at(0.25, 0.9), 0);
+  EXPECT_EQ(interval.coordinates(1), Eigen::Vector2d(0.5, 0.5));
+  EXPECT_EQ(interval.size(), 4);
+}
+
+TEST(DiscreteDomain, HasACellForEachNumber) {
+  const DiscreteDomain die{6};
+  EXPECT_EQ(die.at(0.99, 0), 5);
+  EXPECT_EQ(die.coordinates(0).x(), 0.5 / 6);
+}
+
+TEST(SquareDomain, MapsItsCorners) {
+  const SquareDomain square{-1, 1};
+  EXPECT_EQ(square.at(0, 1), Eigen::Vector2d(-1, 1));
+  EXPECT_EQ(square.coordinates({0, 0.5}), Eigen::Vector2d(0.5, 0.75));
+  EXPECT_EQ(square.size(), 4);
+  check_inverse(square);
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <fairlight/stats/law_test.h>
+
+// Draws that are laid out by hand, to show each way to fail.
+namespace fairlight {
+namespace {
+
+const Trial trial{"law_test", 1, 1e-6, 0.01, 0.05};
+
+using Counts = std::vector<std::uint64_t>;
+
+LawCells even_cells(int n) { return {n, 1, std::vector<double>(static_cast<std::size_t>(n), 1.0 / n), 0}; }
+
+// Counts n/16 each, but for deviations of about one standard error up and down.
+Counts plausible(std::uint64_t draws) {
+  Counts counts(16, draws / 16);
+  const auto deviation = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(draws) / 16));
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += i % 2 == 0 ? deviation : -deviation;
+  counts[0] += draws % 16;
+  return counts;
+}
+
+TEST(TestCounts, CertifiesCountsAsChanceMakesThem) {
+  const Finding finding = test_counts(trial, even_cells(16), plausible);
+  EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
+  EXPECT_EQ(finding.guarantee, Guarantee::asymptotic);
+  EXPECT_LT(finding.interval.hi, 0.05);
+}
+
+TEST(TestCounts, FindsCountsThatAreTooGood) {
+  const auto even = [](std::uint64_t draws) {
+    Counts counts(16, draws / 16);
+    counts[0] += draws % 16;
+    return counts;
+  };
+  EXPECT_EQ(test_counts(trial, even_cells(16), even).verdict, Verdict::biased);
+}
+
+TEST(TestCounts, NamesTheOneCellThatIsWrong) {
+  const auto one_off = [](std::uint64_t draws) {
+    Counts counts = plausible(draws);
+    const std::uint64_t moved = counts[3] / 5;
+    counts[3] -= moved;
+    counts[4] += moved;
+    return counts;
+  };
+  const Finding finding = test_counts(trial, even_cells(16), one_off);
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_TRUE(finding.note.starts_with("cell 3 has ")) << finding.note;
+}
+
+TEST(TestCounts, RefusesCountsThatDoNotAddUp) {
+  const auto short_of = [](std::uint64_t draws) { return plausible(draws / 2); };
+  const Finding finding = test_counts(trial, even_cells(16), short_of);
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("do not add up"), std::string::npos) << finding.note;
+}
+
+TEST(TestCounts, RefusesProbabilitiesThatDoNotSumToOne) {
+  LawCells cells = even_cells(16);
+  cells.probabilities[0] += 0.1;
+  const Finding finding = test_counts(trial, cells, plausible);
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_EQ(finding.guarantee, Guarantee::deterministic);
+  EXPECT_NE(finding.note.find("integrates to 1.1"), std::string::npos) << finding.note;
+}
+
+TEST(LawCells, IntegrateADensityOverEachDomain) {
+  const auto total = [](const LawCells& cells) {
+    double sum = 0;
+    for (double p : cells.probabilities) sum += p;
+    return sum;
+  };
+  EXPECT_NEAR(total(law_cells(IntervalDomain{0, 2}, [](double x) { return x / 2; })), 1, 1e-9);
+  EXPECT_NEAR(total(law_cells(DiskDomain{3}, [](const auto&) { return 1 / (9 * M_PI); })), 1, 1e-9);
+  EXPECT_NEAR(total(law_cells(HemisphereDomain{}, [](const auto& w) { return w.z() / M_PI; })), 1, 1e-9);
+  EXPECT_NEAR(total(law_cells(SphereDomain{2}, [](const auto&) { return 1 / (16 * M_PI); })), 1, 1e-9);
+  EXPECT_NEAR(
+      total(law_cells(DiscreteDomain{4}, [](std::int64_t i) { return (1.0 + static_cast<double>(i)) / 10; })), 1,
+      1e-15);
+}
+
+TEST(LawCells, RefuseADiscreteSetOfOne) {
+  EXPECT_THROW(law_cells(DiscreteDomain{1}, [](std::int64_t) { return 1.0; }), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fairlight
