@@ -1,9 +1,9 @@
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -53,11 +53,16 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   }
 }
 
-// The variance of one draw, seen so far. One imaginary draw of the largest variance that the range allows keeps the
-// first bets modest; any predictable value leaves the test exact.
+// The variance of one draw, as far as n draws can tell: what they show, and what they may not have met yet, an
+// event of probability 1/n at the far end of the range; but no more than the range and the mean allow (Bhatia and
+// Davis 2000). A variance that is thought too small places bets that lose more than they teach. Any predictable
+// value is exact.
 double BettingTest::spread() const {
-  const double largest = (hypothesis_.upper - hypothesis_.mean) * (hypothesis_.mean - hypothesis_.lower);
-  return (moments_.squared_deviations() + largest) / static_cast<double>(moments_.count() + 1);
+  const double above = hypothesis_.upper - hypothesis_.mean;
+  const double below = hypothesis_.mean - hypothesis_.lower;
+  const double unseen = std::pow(std::max(above, below), 2);
+  const auto n = static_cast<double>(std::max<std::uint64_t>(moments_.count(), 1));
+  return std::min(above * below, (moments_.squared_deviations() + unseen) / n);
 }
 
 std::uint64_t BettingTest::block_size() const {

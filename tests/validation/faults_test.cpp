@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/audit.h>
+#include <fairlight/validation/audit/fault_audit.h>
 #include <fairlight/validation/registry.h>
 
 namespace fairlight {

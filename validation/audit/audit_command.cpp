@@ -6,7 +6,7 @@
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/audit.h>
+#include <fairlight/validation/audit/fault_audit.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/report.h>
 
@@ -84,6 +84,7 @@ void add_audit_command(CLI::App& program, Command& command) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   sub->callback([options, &command] { command = [options] { return faults(*options); }; });
+  add_tester_commands(*app, command);
 }
 
 }  // namespace fairlight

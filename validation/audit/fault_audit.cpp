@@ -1,7 +1,7 @@
 #include <mutex>
 
 #include <fairlight/render/parallel.h>
-#include <fairlight/validation/audit.h>
+#include <fairlight/validation/audit/fault_audit.h>
 
 namespace fairlight {
 

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <fairlight/stats/rosenblatt.h>
+
+namespace fairlight {
+namespace {
+
+using Rule = boost::math::quadrature::gauss<double, 8>;
+constexpr int knots = 256;
+constexpr int pieces = 8;  // of the unit interval in t
+constexpr int order = 3;
+
+// All moments of one place, in the order of test_rosenblatt's channels.
+void moments_of(const Eigen::Vector2d& place, std::size_t i, std::vector<std::vector<double>>& channels) {
+  std::array<double, order> across{};
+  std::array<double, order> along{};
+  for (int j = 0; j < order; ++j) {
+    across[static_cast<std::size_t>(j)] = std::numbers::sqrt2 * std::cos((j + 1) * std::numbers::pi * place.x());
+    along[static_cast<std::size_t>(j)] = std::numbers::sqrt2 * std::cos((j + 1) * std::numbers::pi * place.y());
+  }
+  std::size_t channel = 0;
+  for (double a : across) channels[channel++][i] = a;
+  for (double b : along) channels[channel++][i] = b;
+  for (double a : across) {
+    for (double b : along) channels[channel++][i] = a * b;
+  }
+}
+
+}  // namespace
+
+Rosenblatt::Rosenblatt(SquareDensity density) : density_(std::move(density)), cumulative_(1, 0.0) {
+  for (int k = 0; k < knots; ++k) {
+    cumulative_.push_back(cumulative_.back() + slab(double(k) / knots, double(k + 1) / knots));
+  }
+  if (!(std::abs(cumulative_.back() - 1) <= 1e-6)) {
+    throw std::invalid_argument("the density integrates to " + std::to_string(cumulative_.back()) +
+                                " (a law to 1)");
+  }
+}
+
+double Rosenblatt::strip(double s, double t) const {
+  const auto f = [&](double y) { return density_(s, y); };
+  double sum = 0;
+  for (int k = 0; k < pieces && double(k) / pieces < t; ++k) {
+    sum += Rule::integrate(f, double(k) / pieces, std::min(double(k + 1) / pieces, t));
+  }
+  return sum;
+}
+
+double Rosenblatt::slab(double s0, double s1) const {
+  return s1 > s0 ? Rule::integrate([&](double s) { return strip(s, 1); }, s0, s1) : 0;
+}
+
+Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
+  const int knot = std::min(static_cast<int>(s * knots), knots - 1);
+  const double u = cumulative_[static_cast<std::size_t>(knot)] + slab(double(knot) / knots, s);
+  return {u, strip(s, t) / strip(s, 1)};
+}
+
+Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
+                        const std::function<Eigen::Vector2d(std::uint64_t)>& draw) {
+  constexpr std::size_t waves = order + order + order * order;
+  const Rosenblatt transform(density);
+  // The largest of the waves is 2; the 1e-6 of the quadrature widens what is declared possible.
+  const std::vector<Reference> references(waves, Reference{0, -2.00001, 2.00001, 0, /*scale=*/1});
+  return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    for (std::size_t i = 0; i < channels[0].size(); ++i) {
+      const Eigen::Vector2d place = draw(first + i);
+      moments_of(transform(place.x(), place.y()), i, channels);
+    }
+  });
+}
+
+}  // namespace fairlight

@@ -1,0 +1,68 @@
+#include <cmath>
+#include <stdexcept>
+
+#include <boost/math/distributions/normal.hpp>
+
+#include <fairlight/stats/second_order.h>
+
+namespace fairlight {
+namespace {
+
+constexpr std::uint64_t pilot_pairs = 4096;
+
+double range_variance(const BoundedEstimator& e) { return (e.upper - e.lower) * (e.upper - e.lower) / 2; }
+
+// Half the squared difference of draws 2i and 2i + 1.
+double pair_variance(const BoundedEstimator& e, std::uint64_t i) {
+  const double difference = e.draw(2 * i) - e.draw(2 * i + 1);
+  return difference * difference / 2;
+}
+
+Finding test_indexed(const Trial& trial, const Reference& reference,
+                     const std::function<double(std::uint64_t)>& draw) {
+  return test_means(trial, {reference}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    for (std::size_t i = 0; i < channels[0].size(); ++i) channels[0][i] = draw(first + i);
+  });
+}
+
+}  // namespace
+
+Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator) {
+  const Reference reference{variance, 0, range_variance(estimator)};
+  return test_indexed(trial, reference, [&](std::uint64_t i) { return pair_variance(estimator, i); });
+}
+
+Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstimator& a,
+                            const BoundedEstimator& b) {
+  if (!(ratio > 0)) throw std::invalid_argument("a ratio of variances must be positive");
+  double scale = 0;
+  for (std::uint64_t i = 0; i < pilot_pairs; ++i) scale += ratio * pair_variance(b, i) / pilot_pairs;
+  if (!(scale > 0))
+    throw std::invalid_argument("the second estimator shows no variance (a ratio to it has no meaning)");
+  const Reference reference{0, -ratio * range_variance(b), range_variance(a), 0, scale, Sides::not_above};
+  return test_indexed(trial, reference, [&](std::uint64_t i) {
+    return pair_variance(a, i) - ratio * pair_variance(b, pilot_pairs + i);
+  });
+}
+
+Finding test_uncorrelated(const Trial& trial, std::pair<double, double> means, double reach, double scale,
+                          const std::function<std::pair<double, double>(std::uint64_t)>& draw) {
+  const Reference reference{0, -reach * reach, reach * reach, 0, scale};
+  return test_indexed(trial, reference, [&](std::uint64_t i) {
+    const auto [a, b] = draw(i);
+    return (a - means.first) * (b - means.second);
+  });
+}
+
+VarianceRatio variance_ratio(const Moments& a, const Moments& b, double beta) {
+  if (!(a.squared_deviations() > 0 && b.squared_deviations() > 0)) {
+    throw std::invalid_argument("a ratio of variances needs both of them positive");
+  }
+  const auto relative = [](const Moments& m) { return (m.kurtosis() - 1) / static_cast<double>(m.count()); };
+  const double error = std::sqrt(relative(a) + relative(b));  // of the logarithm of the ratio
+  const double reach = std::exp(-boost::math::quantile(boost::math::normal(), beta) * error);
+  const double ratio = a.variance() / b.variance();
+  return {ratio, {ratio / reach, ratio * reach}};
+}
+
+}  // namespace fairlight

@@ -1,0 +1,45 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include <fairlight/stats/tail.h>
+
+namespace fairlight {
+
+LargestScores::LargestScores(std::size_t keep) : keep_(keep) {
+  if (keep < 2) throw std::invalid_argument("a tail needs at least two scores");
+}
+
+void LargestScores::add(std::span<const double> draws) {
+  for (double x : draws) {
+    const double score = std::abs(x);
+    if (heap_.size() == keep_) {
+      if (score <= heap_.front()) continue;
+      std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+      heap_.pop_back();
+    }
+    heap_.push_back(score);
+    std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+  }
+}
+
+double LargestScores::slope() const {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  constexpr std::size_t fewest = 25;
+  if (heap_.size() < fewest || heap_.front() == 0) return none;
+  double sum = 0;
+  for (double score : heap_) sum += std::log(score / heap_.front());
+  return sum == 0 ? none : 1 + static_cast<double>(heap_.size() - 1) / sum;
+}
+
+double figure_of_merit(double mean, double standard_error, double seconds) {
+  if (!(mean > 0 && standard_error > 0 && seconds > 0)) {
+    throw std::invalid_argument("a figure of merit needs a positive mean, standard error and time");
+  }
+  const double relative = standard_error / mean;
+  return 1 / (relative * relative * seconds);
+}
+
+}  // namespace fairlight
