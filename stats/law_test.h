@@ -3,6 +3,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <fairlight/stats/betting_test.h>
@@ -27,10 +28,11 @@ struct LawCells {
   }
 };
 
-/// The cells' probabilities, by quadrature of `pdf(point)` over the domain.
+/// The cells' probabilities, by quadrature of `pdf(point)` over the domain: 16 x 8 cells, or 128 of an interval.
 template <class Domain, class Pdf>
 LawCells law_cells(const Domain& domain, const Pdf& pdf) {
-  LawCells cells{16, 8, {}, 0};
+  constexpr bool line = std::is_same_v<Domain, IntervalDomain>;
+  LawCells cells{line ? 128 : 16, line ? 1 : 8, {}, 0};
   for (int row = 0; row < cells.rows; ++row) {
     for (int column = 0; column < cells.columns; ++column) {
       const Integral cell = integrate_rectangle(

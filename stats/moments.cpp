@@ -13,9 +13,10 @@ Moments Moments::of(std::span<const double> draws) {
   if (draws.empty()) return moments;
   const Eigen::Map<const Eigen::ArrayXd> x(draws.data(), static_cast<Eigen::Index>(draws.size()));
   moments.count_ = draws.size();
-  moments.mean_ = x.sum() / static_cast<double>(draws.size());
   moments.minimum_ = x.minCoeff<Eigen::PropagateNaN>();
   moments.maximum_ = x.maxCoeff<Eigen::PropagateNaN>();
+  const bool equal = moments.minimum_ == moments.maximum_;  // whose mean is what they are, where a sum would round
+  moments.mean_ = equal ? moments.minimum_ : x.sum() / static_cast<double>(draws.size());
   const auto deviation = x - moments.mean_;
   moments.m2_ = deviation.square().sum();
   moments.m3_ = deviation.cube().sum();

@@ -11,9 +11,9 @@
 
 namespace fairlight {
 
-/// Estimators whose draws depend on each other: points of a low-discrepancy set, strata, adaptive stages, the states of a
-/// chain. Only the whole replicate, made anew from numbers of its own, is a draw. `replicate(r)` gives the estimate of
-/// replicate r, a function of r and the seed alone.
+/// Estimators whose draws depend on each other: points of a low-discrepancy set, strata, adaptive stages, the
+/// states of a chain. Only the whole replicate, made anew from numbers of its own, is a draw. `replicate(r)` gives
+/// the estimate of replicate r, a function of r and the seed alone.
 
 /// The mean of replicates with a declared range, by the core test. Guarantee: exact.
 template <class Replicate>
@@ -28,13 +28,14 @@ template <class Replicate>
 Finding test_replicates(const Trial& trial, double mean, Replicate&& replicate) {
   return sequential_t_test(trial, mean, std::abs(mean),
                            [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-                             for (std::size_t i = 0; i < channels[0].size(); ++i) channels[0][i] = replicate(first + i);
+                             for (std::size_t i = 0; i < channels[0].size(); ++i)
+                               channels[0][i] = replicate(first + i);
                            });
 }
 
-/// The exponent e of variance ~ n^-e by least squares on logarithms: 1 for independent draws, up to 3 for scrambled nets on
-/// smooth integrands. Pairs of (points in a replicate, variance between replicates); at least two, all positive, or throws
-/// std::invalid_argument.
+/// The exponent e of variance ~ n^-e by least squares on logarithms: 1 for independent draws, up to 3 for scrambled
+/// nets on smooth integrands. Pairs of (points in a replicate, variance between replicates); at least two, all
+/// positive, or throws std::invalid_argument.
 inline double convergence_exponent(std::span<const std::pair<double, double>> variances) {
   if (variances.size() < 2) throw std::invalid_argument("an exponent needs at least two sizes");
   double x = 0;

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include <fairlight/stats/manifest.h>
 #include <fairlight/stats/mean_test.h>
@@ -12,11 +13,10 @@ namespace fairlight {
 /// A density on the unit square [0,1]^2, dimensionless; for a domain, its pdf at at(s, t) times size().
 using SquareDensity = std::function<double(double s, double t)>;
 
-/// Rosenblatt's transform of a density on the unit square: (s, t) to (P(S <= s), P(T <= t | S = s)), which is uniform on the
-/// square exactly when (s, t) has that density. The marginal's distribution function is tabulated at 256 knots; between
-/// them, and in t, eight-point Gauss rules integrate the density, so it should be smooth but at multiples of 1/256 in s
-/// and 1/8 in t.
-/// Source: Rosenblatt 1952.
+/// Rosenblatt's transform of a density on the unit square: (s, t) to (P(S <= s), P(T <= t | S = s)), which is
+/// uniform on the square exactly when (s, t) has that density. The marginal's distribution function is tabulated at
+/// 256 knots; between them, and in t, eight-point Gauss rules integrate the density, so it should be smooth but at
+/// multiples of 1/256 in s and 1/8 in t. Source: Rosenblatt 1952.
 class Rosenblatt {
  public:
   /// Throws std::invalid_argument when the density does not integrate to one within 1e-6.
@@ -25,7 +25,7 @@ class Rosenblatt {
   Eigen::Vector2d operator()(double s, double t) const;
 
  private:
-  double strip(double s, double t) const;  // integral of the density over [0, t] at s
+  double strip(double s, double t) const;   // integral of the density over [0, t] at s
   double slab(double s0, double s1) const;  // integral over [s0, s1] x [0, 1]
 
   SquareDensity density_;
@@ -33,10 +33,10 @@ class Rosenblatt {
 };
 
 /// The law of a sampler by bounded moments, exactly: of the Rosenblatt transform (u, v) of its draws, the cosines
-/// sqrt2 cos(j pi u), sqrt2 cos(k pi v) and 2 cos(j pi u) cos(k pi v) for j, k up to 3 all have mean 0. They are orthonormal,
-/// so a mean of a is a part of that L2 distance between the laws, and the margin is an L2 distance. `draw(i)` gives the
-/// coordinates (s, t) of draw i. Guarantee: exact, up to the quadrature (1e-6).
-/// What it cannot see: a law that differs only in finer waves.
+/// sqrt2 cos(j pi u), sqrt2 cos(k pi v) and 2 cos(j pi u) cos(k pi v) for j, k up to 3 all have mean 0. They are
+/// orthonormal, so a mean of a is a part of that L2 distance between the laws, and the margin is an L2 distance.
+/// `draw(i)` gives the coordinates (s, t) of draw i. Guarantee: exact, up to the quadrature (1e-6). What it cannot
+/// see: a law that differs only in finer waves.
 Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
                         const std::function<Eigen::Vector2d(std::uint64_t)>& draw);
 

@@ -6,10 +6,10 @@
 
 namespace fairlight {
 
-/// Whether p-values of right code are uniform on [0,1], which is what makes a test's level true: a wrong sigma, a wrong
-/// count of degrees of freedom or a correlation all show here, long before they show as false alarms.
-/// Three statistics, each with a third of alpha and both tails: Fisher's -2 sum ln p and -2 sum ln(1-p), chi-square with 2n
-/// degrees of freedom, for an excess of small or of large p-values, and the distance of Kolmogorov and Smirnov.
+/// Whether p-values of right code are uniform on [0,1], which is what makes a test's level true: a wrong sigma, a
+/// wrong count of degrees of freedom or a correlation all show here, long before they show as false alarms. Three
+/// statistics, each with a third of alpha and both tails: Fisher's -2 sum ln p and -2 sum ln(1-p), chi-square with
+/// 2n degrees of freedom, for an excess of small or of large p-values, and the distance of Kolmogorov and Smirnov.
 struct Uniformity {
   double fisher_small;  ///< p-value of -2 sum ln p, two-sided
   double fisher_large;  ///< p-value of -2 sum ln(1-p), two-sided

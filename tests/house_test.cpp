@@ -10,6 +10,7 @@ namespace {
 
 using testing::components_without_papers;
 using ::testing::Contains;
+using testing::foreign_includes_in_stats;
 using ::testing::HasSubstr;
 using testing::includes_up_the_chain;
 using ::testing::IsEmpty;
@@ -26,6 +27,19 @@ TEST(House, IncludesPointDownTheChain) { EXPECT_THAT(includes_up_the_chain(FAIRL
 
 TEST(House, EveryComponentHasItsPapers) {
   EXPECT_THAT(components_without_papers(FAIRLIGHT_SOURCE_DIR, registered()), IsEmpty());
+}
+
+TEST(House, StatsUsesTheStandardLibraryEigenAndBoostMath) {
+  EXPECT_THAT(foreign_includes_in_stats(FAIRLIGHT_SOURCE_DIR), IsEmpty());
+}
+
+TEST(House, NoticesAForeignIncludeInStats) {
+  const TemporaryFolder tree;
+  write_file(tree / "stats/a.h",
+             "#include <vector>\n#include <Eigen/Core>\n#include <boost/math/tools/roots.hpp>\n");
+  EXPECT_THAT(foreign_includes_in_stats(tree.path()), IsEmpty());
+  write_file(tree / "stats/b.h", "#include <nlohmann/json.hpp>\n");
+  EXPECT_THAT(foreign_includes_in_stats(tree.path()), Contains("stats/b.h includes nlohmann/json.hpp"));
 }
 
 TEST(House, NoticesAnIncludeThatPointsUp) {

@@ -57,7 +57,7 @@ TEST(BettingTest, NeedsEachAcceptProcessToReachOneOverBeta) {
   double log_wealth = 0;
   int blocks = 0;
   while (test.verdict() == Verdict::undecided) {
-    const double spread = 0.25 / (blocks + 1);  // no deviation yet, one imaginary draw of the largest variance
+    const double spread = 0.25 / std::max(blocks, 1);  // no deviation yet, but what may not have been seen
     const double bet = std::min(margin / (spread + margin * margin), 0.9 / (0.5 - margin));
     log_wealth += std::log1p(bet * margin);
     test.add(mean);

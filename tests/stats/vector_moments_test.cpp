@@ -1,7 +1,7 @@
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <stdexcept>
 
 #include <fairlight/stats/vector_moments.h>
 

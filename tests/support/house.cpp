@@ -84,6 +84,25 @@ std::vector<std::string> includes_up_the_chain(const fs::path& root) {
   return problems;
 }
 
+std::vector<std::string> foreign_includes_in_stats(const fs::path& root) {
+  static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*$)");
+  static const std::regex allowed(R"([a-z_0-9]+|Eigen/.*|boost/math/.*|fairlight/stats/.*)");
+  static const std::regex frameworks(R"(gtest/gtest\.h|rapidcheck(/gtest)?\.h)");
+  static const std::set<std::string> adapters{"googletest", "rapidcheck"};
+  std::vector<std::string> problems;
+  for (const fs::path& file : sources(root / "stats")) {
+    if (file.extension() != ".h") continue;
+    const bool adapts = adapters.contains(file.stem().string());
+    for (const std::string& line : lines_of(file)) {
+      std::smatch match;
+      if (!std::regex_match(line, match, include) || std::regex_match(match[1].str(), allowed)) continue;
+      if (adapts && std::regex_match(match[1].str(), frameworks)) continue;
+      problems.push_back("stats/" + file.filename().string() + " includes " + match[1].str());
+    }
+  }
+  return problems;
+}
+
 std::vector<std::string> components_without_papers(const fs::path& root, const std::set<std::string>& registered) {
   std::vector<std::string> problems;
   const std::string docs = read_file((root / "docs/estimators.md").string());

@@ -12,6 +12,10 @@ namespace fairlight::testing {
 /// Includes may point down the chain stats <- estimators <- render <- validation <- tests, never up.
 std::vector<std::string> includes_up_the_chain(const std::filesystem::path& root);
 
+/// Headers of stats/ may use the standard library, Eigen, Boost.Math and each other; those that adapt a test
+/// framework, that framework as well.
+std::vector<std::string> foreign_includes_in_stats(const std::filesystem::path& root);
+
 /// Every component in estimators/, a class that samples, sums, plays or estimates, must open with Source, and with
 /// Formula, Measure, Domain and Random when it has a density; have a row in the registry, a test file of its
 /// header's name, and a section in docs/estimators.md.

@@ -28,13 +28,13 @@ struct TesterOutcome {
   bool passed() const { return failures <= limit; }
 };
 
-/// Calibration: every kind of test on right code at alpha = 0.01, 10^4 times the budget of a run; a failure is any verdict
-/// but `certified`.
+/// Calibration: every kind of test on right code at alpha = 0.01, 10^4 times the budget of a run; a failure is any
+/// verdict but `certified`.
 std::vector<TesterOutcome> audit_calibration(const TesterAudit& audit, const Progress& progress = {});
 
-/// Power: every kind of test on draws that are off by plus and minus the margin, twice. With a miss rate of 1e-6 no run may
-/// miss (limit 0); with 0.01, the usual one, misses are inside the binomial limit of that rate. A miss is any verdict
-/// but `biased`.
+/// Power: every kind of test on draws that are off by plus and minus the margin, twice. With a miss rate of 1e-6 no
+/// run may miss (limit 0); with 0.01, the usual one, misses are inside the binomial limit of that rate. A miss is
+/// any verdict but `biased`.
 std::vector<TesterOutcome> audit_power(const TesterAudit& audit, const Progress& progress = {});
 
 /// The core test's cost on right code, at alpha = 1e-8 and beta = 0.01, in units of (CV / margin)^2 draws.
@@ -48,12 +48,13 @@ std::vector<CostOutcome> audit_cost(const TesterAudit& audit, const Progress& pr
 /// What a z-test of fixed size takes to do both, (z_(alpha/2) + z_beta)^2, in the same unit.
 double fixed_size_cost(double alpha, double beta);
 
-/// Fixed-n p-values: those of right tests must be uniform, and those of a test whose sigma is 5 % too small must not be.
+/// Fixed-n p-values: those of right tests must be uniform, and those of a test whose sigma is 5 % too small must
+/// not be.
 struct UniformityOutcome {
   std::string name;
   int p_values;
-  double least;        ///< the least of the three statistics' p-values
-  bool expected;       ///< whether uniformity is expected
+  double least;   ///< the least of the three statistics' p-values
+  bool expected;  ///< whether uniformity is expected
   bool uniform;
 };
 std::vector<UniformityOutcome> audit_uniformity(const TesterAudit& audit);

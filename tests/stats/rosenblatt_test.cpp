@@ -1,0 +1,56 @@
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <support/unit_square.h>
+
+#include <fairlight/stats/rosenblatt.h>
+
+namespace fairlight {
+namespace {
+
+const Trial trial{"rosenblatt", 1, 1e-6, 0.01, 0.05};
+
+// p(s, t) = 4 s^3 (1 + (2s - 1)(2t - 1)): P(S <= s) = s^4, P(T <= t | s) = t + (2s - 1)(t^2 - t).
+double density(double s, double t) { return 4 * s * s * s * (1 + (2 * s - 1) * (2 * t - 1)); }
+
+RC_GTEST_PROP(Rosenblatt, IsTheConditionalDistributionFunctions, ()) {
+  static const Rosenblatt transform(density);
+  const Eigen::Vector2d x = *testing::unit_point();
+  RC_PRE(x.x() > 1e-6);
+  const Eigen::Vector2d u = transform(x.x(), x.y());
+  RC_ASSERT(std::abs(u.x() - std::pow(x.x(), 4)) < 1e-12);
+  RC_ASSERT(std::abs(u.y() - (x.y() + (2 * x.x() - 1) * (x.y() * x.y() - x.y()))) < 1e-12);
+}
+
+TEST(Rosenblatt, RefusesADensityThatDoesNotIntegrateToOne) {
+  EXPECT_THROW(Rosenblatt([](double, double) { return 1.1; }), std::invalid_argument);
+}
+
+// A lattice that fills the square evenly, in place of random numbers.
+Eigen::Vector2d lattice(std::uint64_t i) {
+  const auto n = static_cast<double>(i) + 0.5;
+  return {std::fmod(n * 0.7548776662466927, 1.0), std::fmod(n * 0.5698402909980532, 1.0)};
+}
+
+TEST(RosenblattTest, CertifiesTheLawAndFindsAnother) {
+  const auto ramp = [](double s, double) { return 2 * s; };
+  const auto right = [](std::uint64_t i) { return Eigen::Vector2d(std::sqrt(lattice(i).x()), lattice(i).y()); };
+  const auto wrong = [](std::uint64_t i) { return Eigen::Vector2d(std::pow(lattice(i).x(), 0.4), lattice(i).y()); };
+  EXPECT_EQ(test_rosenblatt(trial, ramp, right).verdict, Verdict::certified);
+  EXPECT_EQ(test_rosenblatt(trial, ramp, wrong).verdict, Verdict::biased);
+  EXPECT_EQ(test_rosenblatt(trial, ramp, right).guarantee, Guarantee::exact);
+}
+
+TEST(RosenblattTest, FindsADependenceBetweenTheAxes) {
+  const auto flat = [](double, double) { return 1.0; };
+  const auto diagonal = [](std::uint64_t i) {
+    const Eigen::Vector2d x = lattice(i);
+    return x.y() < 0.2 ? Eigen::Vector2d(x.x(), x.x()) : Eigen::Vector2d(x.x(), (x.y() - 0.2) / 0.8);
+  };
+  EXPECT_EQ(test_rosenblatt(trial, flat, diagonal).verdict, Verdict::biased);
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,61 @@
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include <fairlight/stats/second_order.h>
+
+// Tosses laid out by hand: 0, 0, 1, 1 in turn make the pairs (0,0), (1,1); 0, 1, 1, 0 make (0,1), (1,0). Mixed
+// evenly, half of the pairs differ, as those of a fair coin do, and half the squared difference averages to its
+// variance, 1/4.
+namespace fairlight {
+namespace {
+
+const Trial trial{"second_order", 1, 1e-6, 0.01, 0.1};
+
+double coin(std::uint64_t i) {
+  constexpr std::array<double, 8> tosses{0, 0, 0, 1, 1, 1, 1, 0};
+  return tosses[i % 8];
+}
+
+TEST(Variance, OfACoinIsAQuarter) {
+  EXPECT_EQ(test_variance(trial, 0.25, {coin, 0, 1}).verdict, Verdict::certified);
+  EXPECT_EQ(test_variance(trial, 0.30, {coin, 0, 1}).verdict, Verdict::biased);
+  EXPECT_EQ(test_variance(trial, 0.20, {coin, 0, 1}).verdict, Verdict::biased);
+}
+
+TEST(VarianceRatio, KnowsALargerVarianceFromASmallerOne) {
+  const BoundedEstimator whole{coin, 0, 1};
+  const BoundedEstimator half{[](std::uint64_t i) { return coin(i) / 2; }, 0, 1};
+  EXPECT_EQ(test_variance_ratio(trial, 1, half, whole).verdict, Verdict::certified);
+  EXPECT_EQ(test_variance_ratio(trial, 1, whole, half).verdict, Verdict::biased);
+  EXPECT_THROW(test_variance_ratio(trial, 0, half, whole), std::invalid_argument);
+  EXPECT_THROW(test_variance_ratio(trial, 1, whole, {[](std::uint64_t) { return 1.0; }, 0, 1}),
+               std::invalid_argument);
+}
+
+TEST(Uncorrelated, SeesACopyAndAMirrorImage) {
+  const auto pairs = [](double sign) {
+    return [sign](std::uint64_t i) { return std::pair(coin(2 * i), 0.5 + sign * (coin(2 * i) - 0.5)); };
+  };
+  const auto apart = [](std::uint64_t i) { return std::pair(double(i & 1), double(i >> 1 & 1)); };
+  EXPECT_EQ(test_uncorrelated(trial, {0.5, 0.5}, 0.5, 0.25, apart).verdict, Verdict::certified);
+  EXPECT_EQ(test_uncorrelated(trial, {0.5, 0.5}, 0.5, 0.25, pairs(1)).verdict, Verdict::biased);
+  EXPECT_EQ(test_uncorrelated(trial, {0.5, 0.5}, 0.5, 0.25, pairs(-1)).verdict, Verdict::biased);
+}
+
+// Coins have kurtosis 1, the least there is: their sample variance is known all but exactly.
+TEST(VarianceRatioInterval, HoldsTheRatio) {
+  const std::vector<double> wide{0, 2, 0, 2};
+  const std::vector<double> narrow{0, 1, 0, 1};
+  const VarianceRatio ratio = variance_ratio(Moments::of(wide), Moments::of(narrow), 0.01);
+  EXPECT_DOUBLE_EQ(ratio.ratio, 4);
+  EXPECT_DOUBLE_EQ(ratio.interval.lo, 4);
+  const std::vector<double> skew{0, 0, 0, 2};  // kurtosis 7/3, relative variance (4/3) / 4
+  const VarianceRatio loose = variance_ratio(Moments::of(skew), Moments::of(narrow), 0.01);
+  EXPECT_NEAR(loose.interval.hi / loose.ratio, std::exp(2.326348 * std::sqrt(1.0 / 3)), 1e-5);
+  EXPECT_THROW(variance_ratio(Moments::of(wide), Moments{}, 0.01), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fairlight

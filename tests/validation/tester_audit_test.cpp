@@ -1,0 +1,38 @@
+#include <gtest/gtest.h>
+
+#include <fairlight/stats/seed.h>
+#include <fairlight/validation/audit/tester_audit.h>
+
+// A short form of `fairlight audit calibration` and `audit power`.
+namespace fairlight {
+namespace {
+
+TesterAudit brief() { return {fresh_seed(), 2, 200, 10, 10, 10000}; }
+
+TEST(TesterAudit, RightCodeFailsNoMoreOftenThanItMay) {
+  const TesterAudit audit = brief();
+  for (const TesterOutcome& o : audit_calibration(audit)) {
+    EXPECT_TRUE(o.passed()) << o.name << ": " << o.failures << " of " << o.runs << ", seed "
+                            << seed_text(audit.seed);
+  }
+}
+
+TEST(TesterAudit, WrongCodeIsNotMissed) {
+  const TesterAudit audit = brief();
+  for (const TesterOutcome& o : audit_power(audit)) {
+    EXPECT_TRUE(o.passed()) << o.name << ": " << o.failures << " of " << o.runs << ", seed "
+                            << seed_text(audit.seed);
+  }
+}
+
+TEST(TesterAudit, ASigmaFivePercentTooSmallIsFoundOut) {
+  const TesterAudit audit = brief();
+  for (const UniformityOutcome& o : audit_uniformity(audit)) {
+    EXPECT_EQ(o.uniform, o.expected) << o.name << ", p = " << o.least << ", seed " << seed_text(audit.seed);
+  }
+}
+
+TEST(FixedSizeCost, IsThatOfTheDesign) { EXPECT_NEAR(fixed_size_cost(1e-8, 0.01), 65, 0.2); }
+
+}  // namespace
+}  // namespace fairlight
