@@ -11,6 +11,7 @@
 #include <fairlight/estimators/stream.h>
 #include <fairlight/stats/law_test.h>
 #include <fairlight/stats/mean_test.h>
+#include <fairlight/stats/rosenblatt.h>
 #include <fairlight/validation/claim.h>
 
 namespace fairlight {
@@ -64,6 +65,18 @@ Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
       [&](std::uint64_t i) {
         PhiloxStream<double> source(key, 0, i);
         return typename Law::Point(law.sample(next_pair<double>(source)));
+      });
+}
+
+/// The same by bounded moments of the Rosenblatt transform: exact, and blind to fine waves.
+template <Sampler Law, class Domain>
+Finding check_law_moments(const Trial& trial, const Law& law, const Domain& domain) {
+  const StreamKey key(trial.seed, trial.claim);
+  return test_rosenblatt(
+      trial, [&](double s, double t) { return law.pdf(domain.at(s, t)).value() * domain.size(); },
+      [&](std::uint64_t i) {
+        PhiloxStream<double> source(key, 0, i);
+        return domain.coordinates(law.sample(next_pair<double>(source)));
       });
 }
 

@@ -19,6 +19,27 @@ Claim law_claim(const std::string& name, const std::string& subject, const std::
           [=](const Trial& trial) { return check_law(trial, law, domain); }};
 }
 
+/// The row that says the same exactly, by bounded moments; its margin is ten times that of a mean.
+template <Sampler Law, class Domain>
+Claim law_moments_claim(const std::string& name, const std::string& subject, const std::string& source, const Law& law,
+                        const Domain& domain) {
+  return {name + ".moments",
+          "law",
+          {subject},
+          "the Rosenblatt transform of the draws has the cosine moments of the uniform law, up to the third",
+          source,
+          10,
+          [=](const Trial& trial) { return check_law_moments(trial, law, domain); }};
+}
+
+/// Both.
+template <Sampler Law, class Domain>
+void add_law(std::vector<Claim>& claims, const std::string& name, const std::string& subject,
+             const std::string& source, const Law& law, const Domain& domain) {
+  claims.push_back(law_claim(name, subject, source, law, domain));
+  claims.push_back(law_moments_claim(name, subject, source, law, domain));
+}
+
 /// Pairs of numbers of a stream, as they come: uniform on the unit square.
 struct StreamPairs {
   using Scalar = double;

@@ -20,16 +20,15 @@ using One = DirectLight<OneOf>;
 using Roulette = RouletteByReflectance<>;
 
 void add_laws(std::vector<Claim>& claims) {
-  claims.push_back(
-      law_claim("stream.philox", "PhiloxStream", "Salmon et al. 2011", StreamPairs{}, SquareDomain{0, 1}));
-  claims.push_back(law_claim("hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2",
-                             UniformHemisphere<double>{}, HemisphereDomain{}));
-  claims.push_back(law_claim("hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3", CosineHemisphere<double>{},
-                             HemisphereDomain{}));
-  claims.push_back(law_claim("sphere_light.area", "UniformSphereArea", "Archimedes", UniformSphereArea<double>(2.5),
-                             SphereDomain{2.5}));
-  claims.push_back(law_claim("filter.tent", "TentFilter", "Ernst, Stamminger, Greiner 2006", TentFilter<double>{},
-                             SquareDomain{-1, 1}));
+  add_law(claims, "stream.philox", "PhiloxStream", "Salmon et al. 2011", StreamPairs{}, SquareDomain{0, 1});
+  add_law(claims, "hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2", UniformHemisphere<double>{},
+          HemisphereDomain{});
+  add_law(claims, "hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3", CosineHemisphere<double>{},
+          HemisphereDomain{});
+  add_law(claims, "sphere_light.area", "UniformSphereArea", "Archimedes", UniformSphereArea<double>(2.5),
+          SphereDomain{2.5});
+  add_law(claims, "filter.tent", "TentFilter", "Ernst, Stamminger, Greiner 2006", TentFilter<double>{},
+          SquareDomain{-1, 1});
 }
 
 void add_components(std::vector<Claim>& claims) {

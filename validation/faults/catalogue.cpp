@@ -23,6 +23,8 @@ Fault theta_uniform() {
           "Smerity/montelight-cpp",
           {law_claim("sphere_light.area", "UniformSphereArea", "", faults::ThetaUniformSphere<double>(2.5),
                      SphereDomain{2.5}),
+           law_moments_claim("sphere_light.area", "UniformSphereArea", "", faults::ThetaUniformSphere<double>(2.5),
+                             SphereDomain{2.5}),
            floor_claim<Tracer<DirectLight<AllOf, faults::ThetaUniformSphere>, NoRoulette>>(
                "sphere_over_plane.light", {}, one_light(), 1, all_terms)}};
 }
