@@ -1,14 +1,6 @@
-#include <cmath>
-#include <numeric>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/non_central_chi_squared.hpp>
-
 #include <fairlight/stats/chi_square.h>
 
+#include <algorithm>
 namespace fairlight {
 namespace {
 
@@ -40,6 +32,10 @@ std::vector<Cell> pool(std::span<const std::uint64_t> counts, std::span<const do
 void check_input(std::span<const std::uint64_t> counts, std::span<const double> probabilities) {
   if (counts.size() != probabilities.size()) {
     throw std::invalid_argument("a histogram and its probabilities must have as many cells as each other");
+  }
+  if (counts.empty()) throw std::invalid_argument("a histogram without cells (there is nothing to compare)");
+  if (std::all_of(counts.begin(), counts.end(), [](std::uint64_t count) { return count == 0; })) {
+    throw std::invalid_argument("an empty histogram (nothing was drawn, or nothing was counted)");
   }
   double sum = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {

@@ -37,6 +37,7 @@ TEST(ChiSquare, PoolsNeighboursUntilEightyAreExpected) {
 TEST(ChiSquare, RefusesWhatIsNoHistogram) {
   EXPECT_THROW(chi_square(Counts{100}, Probabilities{0.5, 0.5}), std::invalid_argument);
   EXPECT_THROW(chi_square(Counts{}, Probabilities{}), std::invalid_argument);
+  EXPECT_THROW(chi_square(Counts{0, 0}, Probabilities{0.5, 0.5}), std::invalid_argument);
   EXPECT_THROW(chi_square(Counts{100, 100}, Probabilities{0.5, 0.6}), std::invalid_argument);
   EXPECT_THROW(chi_square(Counts{100, 100}, Probabilities{1.5, -0.5}), std::invalid_argument);
   EXPECT_THROW(chi_square(Counts{100, 100}, Probabilities{1, 0}), std::invalid_argument);
