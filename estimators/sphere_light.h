@@ -7,7 +7,7 @@
 
 namespace fairlight {
 
-/// Uniform points on a sphere, the whole of it; those on the far side are for the visibility test to reject.
+/// Uniform points on a sphere, the whole of it; those on the far side have a negative cosine, and count nothing.
 /// Formula  p(x) = 1 / (4 pi r^2)
 /// Measure  area [1/m^2]
 /// Domain   points of the sphere, as unit outward normals; centre + r n is the point

@@ -17,12 +17,14 @@ struct Vertex {
   int surface;
 };
 
-/// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of
-/// them or of one of them. Formula  sum over L of  f Le cos / p_w,  p_w = p_A d^2 / cos_L, where the point is seen,
-/// 0 where not Measure  the points by area, turned into solid angle Domain   spheres that emit, from without, from
-/// within, or from their own surface Random   two dimensions per shadow ray, and one for the choice Bound    per
-/// luminaire, A max(Le f) / d^2 with d the smallest distance from the vertex to the luminaire Source   Shirley,
-/// Wang, Zimmerman 1996; the paper, 3.2 and A.1
+/// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of them or
+/// of one of them.
+/// Formula  sum over L of  f Le cos / p_w,  p_w = p_A d^2 / cos_L, where the point faces the vertex and is seen; else 0
+/// Measure  the points by area, turned into solid angle
+/// Domain   spheres that emit, from without, from within, or from their own surface
+/// Random   two dimensions per shadow ray, and one for the choice
+/// Bound    per luminaire, A max(Le f) / d^2 with d the smallest distance from the vertex to the luminaire
+/// Source   Shirley, Wang, Zimmerman 1996; the paper, 3.2 and A.1
 template <class Luminaires, template <class> class PointsOnSphere = UniformSphereArea>
 struct DirectLight {
   /// Emission is counted where the path starts; later it has been counted by a shadow ray (the paper, A.2).
@@ -67,6 +69,7 @@ struct DirectLight {
 };
 
 /// No shadow rays: light is found by the bounces alone, and emission is counted at every depth.
+/// Source   Kajiya 1986
 struct NoDirectLight {
   static constexpr bool counts_emission(int) { return true; }
 

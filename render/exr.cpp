@@ -165,10 +165,24 @@ bool same_names(const Imf::ChannelList& channels, std::vector<std::string> names
   return found == names;
 }
 
+// What the ledger says was sampled is what every pixel has counted.
+void check_counts(const Picture& picture) {
+  const std::uint64_t total = picture.samples.total();
+  for (int y = 0; y < picture.film.height(); ++y) {
+    for (int x = 0; x < picture.film.width(); ++x) {
+      for (const ExactMoments& moments : picture.film.at(x, y)) {
+        if (moments.count() != total || total == 0)
+          throw std::runtime_error("its sums do not belong to its samples");
+      }
+    }
+  }
+}
+
 Picture read_parts(Imf::MultiPartInputFile& file) {
   if (file.parts() != 2) throw std::runtime_error("it lacks the film's sums");
   const Imf::Header& light = file.header(0);
   const auto settings = nlohmann::json::parse(attribute(light, "settings")).get<RenderSettings>();
+  if (settings.scene != attribute(light, "scene")) throw std::runtime_error("it names two scenes");
   const Imath::Box2i window = file.header(1).dataWindow();
   if (window != Imath::Box2i({0, 0}, {settings.width - 1, settings.height - 1}) ||
       !same_names(file.header(1).channels(), sum_names())) {
@@ -177,6 +191,7 @@ Picture read_parts(Imf::MultiPartInputFile& file) {
   Picture picture{settings, SampleLedger::from_json(nlohmann::json::parse(attribute(light, "seed"))),
                   Film(settings.width, settings.height)};
   read_sums(file, picture.film);
+  check_counts(picture);
   return picture;
 }
 

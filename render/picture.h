@@ -18,7 +18,7 @@ struct Picture {
 };
 
 /// OpenEXR with two parts. The first is for people: R, G, B, the mean radiance [W/(sr m^2)]; the layer `error`, its
-/// standard error; `samples.N`, how many samples; scene, settings, seeds and version as attributes `fairlight.*`.
+/// standard error (infinite for one sample); `samples.N`, how many samples; scene, settings, seeds and version as attributes `fairlight.*`.
 /// The second, `sums`, is the film's exact state, by which a render is resumed and merged. Written whole or not at
 /// all; throws std::runtime_error.
 void write_exr(const std::string& path, const Picture& picture);

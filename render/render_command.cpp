@@ -1,8 +1,7 @@
 #include <chrono>
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <memory>
-#include <optional>
 
 #include <sys/resource.h>
 
@@ -17,6 +16,9 @@
 namespace fairlight {
 namespace {
 
+constexpr std::uint64_t most_samples = 0xFFFFFFFF;  // of a pixel: the EXR's layer counts in 32 bits
+constexpr unsigned long most_shards = 65536;
+
 struct RenderOptions {
   RenderSettings settings;
   std::uint64_t spp = 0;
@@ -30,8 +32,9 @@ SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint
   unsigned long i = 0;
   unsigned long n = 0;
   char rest = 0;
-  if (std::sscanf(shard.c_str(), "%lu/%lu%c", &i, &n, &rest) != 2 || i < 1 || i > n) {
-    throw std::invalid_argument("\"" + shard + "\" is not a shard (give i/N with i from 1 to N)");
+  if (std::sscanf(shard.c_str(), "%lu/%lu%c", &i, &n, &rest) != 2 || i < 1 || i > n || n > most_shards) {
+    throw std::invalid_argument("\"" + shard +
+                                "\" is not a shard (give i/N with i from 1 to N, and N at most 65536)");
   }
   const SampleRange range{first + (i - 1) * spp / n, first + i * spp / n};
   if (range.first == range.last)
@@ -70,12 +73,40 @@ nlohmann::json report(const RenderOptions& options, std::uint64_t seed, const Re
           {"peak_bytes", peak_bytes()}};
 }
 
+bool same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
+// No output may overwrite another, nor the picture that is resumed, but for the one that takes its place.
+void check_outputs(const RenderOptions& options) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"-o", options.output}, {"--png", options.png}, {"--json", options.json}, {"--resume", options.resume}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (i < 3 && !files[i].second.empty()) WholeFile::check_writable(files[i].second);
+    for (std::size_t j = i + 1; j < files.size(); ++j) {
+      const bool takes_its_place = i == 0 && j == 3;
+      if (files[i].second.empty() || files[j].second.empty() || takes_its_place) continue;
+      if (!same_file(files[i].second, files[j].second)) continue;
+      throw std::invalid_argument(files[i].first + " and " + files[j].first + " name the same file, \"" +
+                                  files[i].second + "\" (one would overwrite the other)");
+    }
+  }
+}
+
+void check_count(const Picture& picture, std::uint64_t spp) {
+  const std::uint64_t held = picture.film.at(0, 0)[0].count();
+  if (spp > most_samples - held) {
+    throw std::invalid_argument("a pixel can hold 2^32 - 1 samples (ask for fewer; the picture has " +
+                                std::to_string(held) + ")");
+  }
+}
+
 int render(const RenderOptions& options) {
   const View view = built_in_scene(options.settings.scene);
-  for (const std::string& path : {options.output, options.png, options.json}) {
-    if (!path.empty()) WholeFile::check_writable(path);
-  }
+  check_outputs(options);
   Picture picture = start(options);
+  check_count(picture, options.spp);
   const std::uint64_t seed = choose_seed(options, picture);
   const SampleRange range = shard_range(options.shard, picture.samples.next(seed), options.spp);
   picture.samples.add(seed, range);
@@ -104,16 +135,26 @@ int merge(const std::vector<std::string>& inputs, const std::string& output) {
   return 0;
 }
 
+// An empty value is what an unset shell variable makes; it is not the same as no option.
+std::string not_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
+
 void add_render(CLI::App& program, Command& command) {
   auto* app = program.add_subcommand("render", "Render a built-in scene to an OpenEXR file");
   auto options = std::make_shared<RenderOptions>();
   RenderSettings& settings = options->settings;
   app->add_option("scene", settings.scene, "Which scene: see `fairlight scenes`")->required()->type_name("SCENE");
-  app->add_option("-o", options->output, "The picture, as EXR")->required()->type_name("F.exr");
-  app->add_option("--png", options->png, "A preview, as PNG")->type_name("F.png");
-  app->add_option("--json", options->json, "What it cost, as JSON")->type_name("F.json");
-  app->add_option("--spp", options->spp, "Samples per pixel to add")->required()->check(CLI::Range(1ul, 1ul << 40));
-  app->add_option("--resume", options->resume, "Go on from this picture, with its seed")->type_name("F.exr");
+  app->add_option("-o", options->output, "The picture, as EXR")
+      ->check(not_empty, "")
+      ->required()
+      ->type_name("F.exr");
+  app->add_option("--png", options->png, "A preview, as PNG")->check(not_empty, "")->type_name("F.png");
+  app->add_option("--json", options->json, "What it cost, as JSON")->check(not_empty, "")->type_name("F.json");
+  app->add_option("--spp", options->spp, "Samples per pixel to add")
+      ->required()
+      ->check(CLI::Range(std::uint64_t{1}, most_samples));
+  app->add_option("--resume", options->resume, "Go on from this picture, with its seed")
+      ->check(not_empty, "")
+      ->type_name("F.exr");
   app->add_option("--shard", options->shard, "Only part i of N of the samples")->type_name("i/N");
   app->add_option("--width", settings.width, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
   app->add_option("--height", settings.height, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
@@ -130,7 +171,7 @@ void add_render(CLI::App& program, Command& command) {
   app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
       ->check(CLI::Range(0, 1 << 20));
   app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
-  app->add_option("--seed", options->seed, "1 to 16 hexadecimal digits; fresh if not given");
+  app->add_option("--seed", options->seed, "1 to 16 hexadecimal digits; fresh if not given")->check(not_empty, "");
   app->callback([options, &command] { command = [options] { return render(*options); }; });
 }
 

@@ -68,28 +68,49 @@ std::uint64_t render_tile(const View& view, const Tracer& tracer, const StreamKe
   return scene.rays();
 }
 
+[[noreturn]] void refuse(const char* strategy, const std::string& value) {
+  throw std::invalid_argument(std::string("there is no ") + strategy + " \"" + value +
+                              "\" (see fairlight render --help)");
+}
+
 template <template <class> class Directions, class Direct>
 void with_roulette(const RenderSettings& settings, const auto& render) {
-  if (settings.roulette == "albedo")
+  if (settings.roulette == "albedo") {
     return render(PathTracer<Directions, Direct, RouletteByReflectance<>>(settings.max_depth));
-  if (settings.roulette != "off") throw std::invalid_argument("there is no roulette \"" + settings.roulette + "\"");
-  if (settings.max_depth < 0) {
-    throw std::invalid_argument("without roulette a path need not end (give --max-depth, or --roulette albedo)");
   }
-  render(PathTracer<Directions, Direct, NoRoulette>(settings.max_depth));
+  if (settings.roulette == "off") return render(PathTracer<Directions, Direct, NoRoulette>(settings.max_depth));
+  refuse("roulette", settings.roulette);
 }
 
 template <template <class> class Directions>
 void with_direct(const RenderSettings& settings, const auto& render) {
   if (settings.direct == "none") return with_roulette<Directions, NoDirectLight>(settings, render);
+  if (settings.direct != "light") refuse("direct light", settings.direct);
   if (settings.which_light == "all") return with_roulette<Directions, DirectLight<AllOf>>(settings, render);
-  with_roulette<Directions, DirectLight<OneOf>>(settings, render);
+  if (settings.which_light == "one") return with_roulette<Directions, DirectLight<OneOf>>(settings, render);
+  refuse("choice of light", settings.which_light);
+}
+
+void check_ends(const RenderSettings& settings) {
+  if (settings.max_depth >= 0) return;
+  if (settings.roulette == "off") {
+    throw std::invalid_argument("without roulette a path need not end (give --max-depth, or --roulette albedo)");
+  }
+  if (settings.bounce == "uniform") {
+    // A bounce multiplies the second moment by 4/3 rho^2/q, which is above 1 for rho = q > 3/4.
+    throw std::invalid_argument(
+        "with uniform bounces the variance of endless paths is infinite (give --max-depth)");
+  }
 }
 
 // The strategies that the settings name, as types: the choice costs nothing inside the loop.
 void with_tracer(const RenderSettings& settings, const auto& render) {
+  check_ends(settings);
+  if (settings.light_sampling != "area") refuse("light sampling", settings.light_sampling);
+  if (settings.filter != "tent") refuse("filter", settings.filter);
   if (settings.bounce == "uniform") return with_direct<UniformHemisphere>(settings, render);
-  with_direct<CosineHemisphere>(settings, render);
+  if (settings.bounce == "cosine") return with_direct<CosineHemisphere>(settings, render);
+  refuse("bounce", settings.bounce);
 }
 
 }  // namespace

@@ -33,6 +33,14 @@ void SampleLedger::merge(const SampleLedger& other) {
   }
 }
 
+std::uint64_t SampleLedger::total() const {
+  std::uint64_t sum = 0;
+  for (const auto& [seed, ranges] : ranges_) {
+    for (const auto& [first, last] : ranges) sum += last - first;
+  }
+  return sum;
+}
+
 std::uint64_t SampleLedger::next(std::uint64_t seed) const {
   const auto found = ranges_.find(seed);
   return found == ranges_.end() ? 0 : found->second.rbegin()->second;

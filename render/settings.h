@@ -39,6 +39,8 @@ class SampleLedger {
   void add(std::uint64_t seed, SampleRange range);
   /// Throws as add does.
   void merge(const SampleLedger& other);
+  /// How many samples there are, of all seeds.
+  std::uint64_t total() const;
   /// The first sample number of this seed after all that are there.
   std::uint64_t next(std::uint64_t seed) const;
   /// The only seed there is. Throws std::invalid_argument when there are several.

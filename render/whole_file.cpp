@@ -10,11 +10,26 @@
 
 namespace fairlight {
 
-WholeFile::WholeFile(const std::string& path) : path_(path), partial_(path + ".part" + std::to_string(getpid())) {
-  const auto status = std::filesystem::status(path);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw std::runtime_error("cannot write \"" + path + "\" (something that is not a file is in its place)");
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where the file itself is to be, past symbolic links.
+std::string resolve(const std::string& path) {
+  std::error_code error;
+  const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+  const std::string folder = fs::weakly_canonical(fs::absolute(path).parent_path(), error).string();
+  const bool device = folder == "/dev" || folder.starts_with("/dev/") || folder.starts_with("/proc");
+  if (path.empty() || device || (fs::exists(target, error) && !fs::is_regular_file(target, error))) {
+    throw std::runtime_error("cannot write \"" + path + "\" (give the name of a file; what is there is none)");
   }
+  return target.string();
+}
+
+}  // namespace
+
+WholeFile::WholeFile(const std::string& path)
+    : path_(resolve(path)), partial_(path_ + ".part" + std::to_string(getpid())) {
   file_ = std::fopen(partial_.c_str(), "wbx");
   if (file_ == nullptr) fail("write");
 }

@@ -13,8 +13,8 @@ namespace fairlight {
 /// Errors throw std::runtime_error, saying which file and what the system said.
 class WholeFile {
  public:
-  /// Throws when the folder does not exist or cannot be written, or when something that is not a file is in the
-  /// way.
+  /// A symbolic link is followed: what it points to is replaced, not the link. Throws when the folder does not exist or
+  /// cannot be written, or when something that is not a file is in the way, such as a folder or a device.
   explicit WholeFile(const std::string& path);
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -19,6 +20,12 @@ constexpr double largest_stake = 0.9;
 constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
 constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
 
+// More slack than this part of the margin would slow the accept side, whose bets do not know of it.
+constexpr double largest_slack = 0.05;
+
+// Of alpha, the part that giving up on right code may take; the rest is for calling it biased.
+constexpr double part_for_giving_up = 0.02;
+
 double log_mixture(const std::array<double, 3>& logs) {
   const double top = *std::max_element(logs.begin(), logs.end());
   double sum = 0;
@@ -30,10 +37,16 @@ double log_growth(double bet, double room, double gain) {
   return std::log1p(std::min(bet, largest_stake / room) * gain);
 }
 
+std::string digits(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.17g", value);
+  return text.data();
+}
+
 }  // namespace
 
 BadDraw::BadDraw(std::uint64_t draw, double value, const char* problem)
-    : std::runtime_error("draw " + std::to_string(draw) + " is " + std::to_string(value) + " (" + problem + ")"),
+    : std::runtime_error("draw " + std::to_string(draw) + " is " + digits(value) + " (" + problem + ")"),
       draw_(draw) {}
 
 BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta)
@@ -47,9 +60,9 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper && std::isfinite(h.upper - h.lower))) {
     throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
   }
-  if (!(h.tail_slack >= 0 && h.tail_slack < h.margin)) {
+  if (!(h.tail_slack >= 0 && h.tail_slack <= largest_slack * h.margin)) {
     throw std::invalid_argument(
-        "the tail slack must be nonnegative and below the margin (or nothing can be certified)");
+        "the tail slack must be nonnegative and at most 1/20 of the margin (raise the bound)");
   }
 }
 
@@ -108,7 +121,11 @@ void BettingTest::check_range(std::span<const double> draws) const {
 
 void BettingTest::add(std::span<const double> draws) {
   if (draws.empty()) throw std::invalid_argument("a block must hold at least one draw");
-  if (verdict_ != Verdict::undecided) return;
+  if (verdict_ !=
+      Verdict::undecided) {  // other channels may still draw: what they bring must be in range all the same
+    check_range(draws);
+    return;
+  }
   const Block block = summarise(draws);
   blocks_.push_back(block);
   const auto& h = hypothesis_;
@@ -128,7 +145,7 @@ void BettingTest::add(std::span<const double> draws) {
 void BettingTest::decide() {
   const bool above = hypothesis_.sides != Sides::not_below;  // too bright is a fault
   const bool below = hypothesis_.sides != Sides::not_above;  // too dark is a fault
-  const double reject = std::log((above && below ? 2 : 1) / alpha_);
+  const double reject = std::log((above && below ? 2 : 1) / (alpha_ * (1 - part_for_giving_up)));
   const double accept = std::log(1 / beta_);
   const auto refutes =
       [reject](const std::array<double, 3>& logs) {  // a mixture is no larger than its largest part
@@ -145,7 +162,7 @@ void BettingTest::decide() {
 // short of log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta). Half as much again pays for bets
 // placed before the variance is known; the second term for bets that the range limits.
 double BettingTest::patience() const {
-  const double z = -boost::math::quantile(boost::math::normal(), std::min(alpha_, 0.5) / 2);
+  const double z = -boost::math::quantile(boost::math::normal(), alpha_ * part_for_giving_up / 2);
   const double needed = std::log(1 / beta_);
   const double root = z + std::sqrt(z * z + 2 * needed);
   const double margin = hypothesis_.margin;

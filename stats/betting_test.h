@@ -52,7 +52,7 @@ class BadDraw : public std::runtime_error {
 /// Ramdas 2024, "Estimating means of bounded random variables by betting"; Ville 1939.
 class BettingTest {
  public:
-  /// alpha: level of `biased`; beta: miss rate of `certified`; both in (0,1).
+  /// alpha: level of all that goes wrong on right code, 98 % of it for `biased` and the rest for giving up; beta: miss rate of `certified`; both in (0,1).
   /// Throws std::invalid_argument when the hypothesis is not lower < mean < upper with a positive margin.
   BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta);
 
@@ -65,7 +65,7 @@ class BettingTest {
   /// undecided until a threshold is reached; then it stands.
   Verdict verdict() const { return verdict_; }
 
-  /// The number of draws after which right code is still undecided with probability at most alpha: where to give
+  /// The number of draws after which right code is still undecided with probability at most alpha/50: where to give
   /// up.
   double patience() const;
 

@@ -1,6 +1,15 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+
 #include <fairlight/stats/chi_square.h>
 
-#include <algorithm>
 namespace fairlight {
 namespace {
 
@@ -57,7 +66,7 @@ ChiSquare chi_square(std::span<const std::uint64_t> counts, std::span<const doub
   check_input(counts, probabilities);
   const auto draws = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
   const std::vector<Cell> cells = pool(counts, probabilities, draws);
-  if (cells.size() < 2) throw std::invalid_argument("too few draws for two cells of 80 expected (draw more)");
+  if (cells.size() < 2) throw TooFewDraws("too few draws for two cells of 80 expected (draw more, or merge cells)");
   ChiSquare result{};
   for (const Cell& cell : cells) {
     const double deviation = cell.count - cell.expected;
@@ -75,11 +84,17 @@ std::uint64_t draws_to_tell_apart(std::uint64_t cells, double distance, double a
   const double critical = quantile(complement(boost::math::chi_squared(degrees), alpha / 2));
   const double noncentrality = boost::math::non_central_chi_squared::find_non_centrality(degrees, critical, beta);
   const double floor_of_cells = 2 * least_expected * static_cast<double>(cells);
-  return static_cast<std::uint64_t>(std::ceil(std::max(noncentrality / (distance * distance), floor_of_cells)));
+  const double draws = std::ceil(std::max(noncentrality / (distance * distance), floor_of_cells));
+  if (!(draws < 1e15))
+    throw std::invalid_argument("the distance asks for more than 10^15 draws (give a larger one)");
+  return static_cast<std::uint64_t>(draws);
 }
 
 Verdict judge(const ChiSquare& result, std::uint64_t draws, double distance, double alpha, double beta) {
-  if (result.too_far < alpha / 2 || result.too_near < alpha / 2) return Verdict::biased;
+  // With few cells the statistic is a lattice that often meets its least value, so "too good" means nothing.
+  constexpr double fewest_degrees = 10;
+  const bool too_near = result.degrees >= fewest_degrees && result.too_near < alpha / 2;
+  if (result.too_far < alpha / 2 || too_near) return Verdict::biased;
   const double noncentrality = static_cast<double>(draws) * distance * distance;
   const boost::math::non_central_chi_squared alternative(result.degrees, noncentrality);
   return cdf(alternative, result.statistic) <= beta ? Verdict::certified : Verdict::undecided;

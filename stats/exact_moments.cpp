@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -74,7 +75,7 @@ void ExactMoments::add(double x) {
   if (over) throw std::overflow_error("the sum of the draws exceeds 2^96 (merge fewer, or scale the scene down)");
 }
 
-void ExactMoments::merge(const ExactMoments& other) {
+void ExactMoments::merge(ExactMoments other) {  // by value: merging with itself doubles
   words_[0] += other.words_[0];
   bool over = false;
   const auto merge_words = [&](std::size_t begin, std::size_t size) {
@@ -93,7 +94,7 @@ double ExactMoments::mean() const {
 }
 
 double ExactMoments::variance() const {
-  if (count() < 2) return 0;
+  if (count() < 2) return std::numeric_limits<double>::infinity();
   const cpp_int sum = integer(std::span(words_).subspan(sum_begin, 3));
   const cpp_int squares = integer(std::span(words_).subspan(squares_begin, 6));
   const cpp_int numerator = count() * squares - sum * sum;
@@ -102,7 +103,7 @@ double ExactMoments::variance() const {
 }
 
 double ExactMoments::standard_error() const {
-  if (count() < 2) return 0;
+  if (count() < 2) return std::numeric_limits<double>::infinity();
   return std::sqrt(variance() / static_cast<double>(count()));
 }
 

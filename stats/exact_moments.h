@@ -27,14 +27,14 @@ class ExactMoments {
   void add(double x);
 
   /// Throws std::overflow_error when the sum reaches 2^96.
-  void merge(const ExactMoments& other);
+  void merge(ExactMoments other);
 
   std::uint64_t count() const { return words_[0]; }
   /// 0 before the first draw.
   double mean() const;
-  /// The unbiased variance of one draw; 0 with fewer than two draws, where nothing is known of it.
+  /// The unbiased variance of one draw; infinity with fewer than two draws, where nothing is known of it.
   double variance() const;
-  /// The standard error of the mean, sqrt(variance / count); 0 with fewer than two draws.
+  /// The standard error of the mean, sqrt(variance / count); infinity with fewer than two draws.
   double standard_error() const;
 
   const Words& words() const { return words_; }

@@ -39,7 +39,9 @@ Trial trial_at(const Site& site, double margin);
 Generator generator_for(const Trial& trial, const std::string& purpose = "");
 
 /// A mean with a range that holds for every draw: tested exactly, by betting.
-inline Reference bounded(double mean, double lower, double upper) { return {mean, lower, upper, 0, mean}; }
+inline Reference bounded(double mean, double lower, double upper) {
+  return {mean, lower, upper, 0, std::abs(mean)};
+}
 
 /// The mean of `estimator(generator)` is the reference to within the relative margin. With a number for a reference
 /// the draws have no declared range, and the test is asymptotic; with `bounded(...)` it is exact.
@@ -118,7 +120,9 @@ Expectation expect_agree(const Site& site, A&& a, B&& b, double margin) {
   Generator of_b = generator_for(trial, "b");
   Generator of_pilot = generator_for(trial, "pilot");
   const auto pilot = detail::sample_of([&] { return static_cast<double>(b(of_pilot)); });
-  const double scale = std::abs(Moments::of(pilot).mean());
+  const double mean = std::abs(Moments::of(pilot).mean());
+  const double scale =
+      std::isfinite(mean) && mean > 0 ? mean : 1;  // else the draws themselves will show what is wrong
   const Finding finding =
       sequential_welch_test(trial, scale, [&](std::uint64_t, std::vector<std::vector<double>>& channels) {
         for (double& x : channels[0]) x = static_cast<double>(a(of_a));

@@ -8,10 +8,14 @@
 namespace fairlight {
 namespace {
 
-// P(sqrt(n) D <= x) in the limit, by the series that converges fast for small x.
+// P(sqrt(n) D <= x) in the limit, by the series that converges fast for small x or the one for large.
 double limiting_law(double x) {
   constexpr double pi = std::numbers::pi;
   double sum = 0;
+  if (x > 1) {
+    for (int k = 1; k < 10; ++k) sum += (k % 2 == 1 ? 2 : -2) * std::exp(-2 * k * k * x * x);
+    return 1 - sum;
+  }
   for (int k = 1; k < 40; k += 2) sum += std::exp(-k * k * pi * pi / (8 * x * x));
   return std::min(1.0, std::sqrt(2 * pi) / x * sum);
 }
@@ -20,10 +24,10 @@ double limiting_law(double x) {
 
 KolmogorovSmirnov kolmogorov_smirnov(std::span<double> numbers) {
   if (numbers.empty()) throw std::invalid_argument("a distribution function needs at least one number");
-  std::sort(numbers.begin(), numbers.end());
-  if (!(numbers.front() >= 0 && numbers.back() <= 1)) {
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return x >= 0 && x <= 1; })) {
     throw std::invalid_argument("numbers that should be uniform must lie in [0,1]");
   }
+  std::sort(numbers.begin(), numbers.end());
   const auto n = static_cast<double>(numbers.size());
   double distance = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {

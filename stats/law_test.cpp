@@ -18,6 +18,12 @@ Finding refuted(const Trial& trial, const std::string& why) {
   return finding;
 }
 
+Finding undecided(const Trial& trial, const std::string& why) {
+  Finding finding{Verdict::undecided, Guarantee::asymptotic, trial.margin};
+  finding.note = why;
+  return finding;
+}
+
 // What the statistic says of the distance between the two laws: each end wrong with probability beta.
 Interval distance_interval(const ChiSquare& result, double draws, double beta) {
   const auto distance = [&](double probability_below) {
@@ -65,24 +71,32 @@ Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std:
 
 }  // namespace
 
+Finding detail::refuted_density(const Trial& trial, const std::string& why) { return refuted(trial, why); }
+
 Finding test_counts(const Trial& trial, const LawCells& cells,
                     const std::function<std::vector<std::uint64_t>(std::uint64_t draws)>& count) {
   const double total = std::accumulate(cells.probabilities.begin(), cells.probabilities.end(), 0.0);
+  check_trial(trial);
   if (cells.error > 1e-6)
-    return refuted(trial, "the density cannot be integrated to 1e-6 (give a domain that it suits)");
+    return undecided(trial, "the density cannot be integrated to 1e-6 (give a domain that it suits)");
   if (!(std::abs(total - 1) <= 1e-6 + cells.error)) {
     return refuted(trial, "the density integrates to " + std::to_string(total) + ", not to 1");
   }
   const std::uint64_t draws =
       draws_to_tell_apart(cells.probabilities.size(), trial.margin, trial.alpha / 2, trial.beta);
+  std::vector<std::uint64_t> counts;
   try {
-    const std::vector<std::uint64_t> counts = count(draws);
+    counts = count(draws);
+  } catch (const BadDraw& bad) {
+    return refuted(trial, bad.what());
+  }
+  try {
     if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws) {
       return refuted(trial, "the counts do not add up to the number of draws");
     }
     return judged(trial, cells, counts, draws);
-  } catch (const BadDraw& bad) {
-    return refuted(trial, bad.what());
+  } catch (const TooFewDraws& few) {
+    return undecided(trial, few.what());
   } catch (const std::invalid_argument& bad) {
     return refuted(trial, bad.what());
   }

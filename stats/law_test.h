@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -28,6 +29,20 @@ struct LawCells {
   }
 };
 
+/// Throws BadDraw unless both coordinates of draw `i` are in [0,1]: a not-a-number is not.
+inline void check_place(std::uint64_t i, const Eigen::Vector2d& place) {
+  for (double x : place) {
+    if (!(x >= 0 && x <= 1)) throw BadDraw(i, x, "the coordinate of a point outside the domain");
+  }
+}
+
+/// A density's value, as it is. Throws std::domain_error where it is negative or not finite, saying where.
+inline double checked_density(double value, double s, double t) {
+  if (value >= 0 && std::isfinite(value)) return value;
+  throw std::domain_error("the density is " + std::to_string(value) + " at (" + std::to_string(s) + ", " +
+                          std::to_string(t) + ") of its domain's square (it must be nonnegative and finite)");
+}
+
 /// The cells' probabilities, by quadrature of `pdf(point)` over the domain: 16 x 8 cells, or 128 of an interval.
 template <class Domain, class Pdf>
 LawCells law_cells(const Domain& domain, const Pdf& pdf) {
@@ -36,8 +51,9 @@ LawCells law_cells(const Domain& domain, const Pdf& pdf) {
   for (int row = 0; row < cells.rows; ++row) {
     for (int column = 0; column < cells.columns; ++column) {
       const Integral cell = integrate_rectangle(
-          [&](double s, double t) { return pdf(domain.at(s, t)) * domain.size(); }, double(row) / cells.rows,
-          double(row + 1) / cells.rows, double(column) / cells.columns, double(column + 1) / cells.columns);
+          [&](double s, double t) { return checked_density(pdf(domain.at(s, t)) * domain.size(), s, t); },
+          double(row) / cells.rows, double(row + 1) / cells.rows, double(column) / cells.columns,
+          double(column + 1) / cells.columns);
       cells.probabilities.push_back(cell.value);
       cells.error += cell.error;
     }
@@ -51,7 +67,7 @@ LawCells law_cells(const DiscreteDomain& domain, const Pdf& pdf) {
   if (domain.n < 2 || domain.n > 1 << 20)
     throw std::invalid_argument("a discrete law must have 2 .. 2^20 outcomes");
   LawCells cells{static_cast<int>(domain.n), 1, {}, 0};
-  for (std::int64_t i = 0; i < domain.n; ++i) cells.probabilities.push_back(pdf(i));
+  for (std::int64_t i = 0; i < domain.n; ++i) cells.probabilities.push_back(checked_density(pdf(i), double(i), 0));
   return cells;
 }
 
@@ -63,11 +79,20 @@ LawCells law_cells(const DiscreteDomain& domain, const Pdf& pdf) {
 Finding test_counts(const Trial& trial, const LawCells& cells,
                     const std::function<std::vector<std::uint64_t>(std::uint64_t draws)>& count);
 
-/// Draws follow their density, which is positive where they fall and integrates to one over the domain.
+namespace detail {
+Finding refuted_density(const Trial& trial, const std::string& why);
+}
+
+/// Draws follow their density, which is nowhere negative, is positive where they fall and integrates to one over the domain.
 /// `draw(i)` gives draw i, `pdf(point)` its density against the domain's measure.
 template <class Domain, class Pdf, class Draw>
 Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&& draw) {
-  const LawCells cells = law_cells(domain, pdf);
+  LawCells cells;
+  try {
+    cells = law_cells(domain, pdf);
+  } catch (const std::domain_error& bad) {
+    return detail::refuted_density(trial, bad.what());
+  }
   return test_counts(trial, cells, [&](std::uint64_t draws) {
     std::vector<std::uint64_t> counts(cells.probabilities.size());
     for (std::uint64_t i = 0; i < draws; ++i) {
@@ -75,7 +100,7 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
       const double density = pdf(x);
       if (!(density > 0 && std::isfinite(density))) throw BadDraw(i, density, "the density where it fell");
       const Eigen::Vector2d place = domain.coordinates(x);
-      if (!(place.minCoeff() >= 0 && place.maxCoeff() <= 1)) throw BadDraw(i, place.x(), "outside the domain");
+      check_place(i, place);
       ++counts[cells.index(place)];
     }
     return counts;

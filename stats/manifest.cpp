@@ -29,6 +29,15 @@ Manifest::Manifest(std::vector<Row> rows, const Terms& terms)
   }
 }
 
+void check_trial(const Trial& trial) {
+  for (double probability : {trial.alpha, trial.beta, trial.margin}) {
+    if (!(probability > 0 && probability < 1)) {
+      throw std::invalid_argument("the level, miss rate and margin of \"" + trial.claim +
+                                  "\" must all be in (0,1)");
+    }
+  }
+}
+
 Trial Manifest::trial(const std::string& claim) const {
   const auto found = index_.find(claim);
   if (found == index_.end()) {

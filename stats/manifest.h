@@ -18,6 +18,9 @@ struct Trial {
   double margin;       ///< the bias to exclude, relative to the reference
 };
 
+/// Throws std::invalid_argument unless level, miss rate and margin are all in (0,1). Every test asks this first.
+void check_trial(const Trial& trial);
+
 /// The list of all claims of a run, with what they share. A claim that is not on the list has no share, so cannot
 /// run.
 class Manifest {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fairlight/stats/mean_test.h>
@@ -33,7 +34,11 @@ void run(std::vector<BettingTest>& tests, const DrawBlock& draw_block) {
 // range.
 double rough_bias(const std::vector<Reference>& references, const DrawBlock& draw_block) {
   std::vector<std::vector<double>> channels(references.size(), std::vector<double>(4096));
-  draw_block(0, channels);
+  try {
+    draw_block(0, channels);
+  } catch (const BadDraw&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   double worst = 0;
   for (std::size_t c = 0; c < references.size(); ++c) {
     const double bias = (Moments::of(channels[c]).mean() - references[c].mean) / references[c].scale;
@@ -70,6 +75,7 @@ Finding worst_of(const std::vector<BettingTest>& tests, const std::vector<Refere
 }  // namespace
 
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block) {
+  check_trial(trial);
   if (references.empty()) throw std::invalid_argument("a test of means needs at least one reference");
   std::vector<BettingTest> tests;
   const double alpha = trial.alpha / static_cast<double>(references.size());

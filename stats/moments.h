@@ -6,11 +6,11 @@
 
 namespace fairlight {
 
-/// Count, extremes and central moments up to the fourth of a sample: stable, and mergeable. Merging in a fixed
-/// order gives the same bits whatever computed the parts; relative rounding grows with the logarithm of the count
-/// when parts of like size are merged, so 10^12 draws are nothing special. Formula  pairwise update of sums of
-/// powers of deviations from the mean Source   Chan, Golub, LeVeque 1979; Pebay 2008, "Formulas for robust,
-/// one-pass parallel computation"
+/// Count, extremes and central moments up to the fourth of a sample: stable, and mergeable. Merging in a fixed order
+/// gives the same bits whatever computed the parts; relative rounding grows with the logarithm of the count when parts
+/// of like size are merged, so 10^12 draws are nothing special.
+/// Formula  pairwise update of sums of powers of deviations from the mean
+/// Source   Chan, Golub, LeVeque 1979; Pebay 2008, "Formulas for robust, one-pass parallel computation"
 class Moments {
  public:
   /// The moments of one block of draws, in two passes. Not-a-numbers and infinities go through to the results.

@@ -2,11 +2,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <fairlight/stats/law_test.h>
 #include <fairlight/stats/rosenblatt.h>
 
 namespace fairlight {
@@ -46,7 +48,7 @@ Rosenblatt::Rosenblatt(SquareDensity density) : density_(std::move(density)), cu
 }
 
 double Rosenblatt::strip(double s, double t) const {
-  const auto f = [&](double y) { return density_(s, y); };
+  const auto f = [&](double y) { return checked_density(density_(s, y), s, y); };
   double sum = 0;
   for (int k = 0; k < pieces && double(k) / pieces < t; ++k) {
     sum += Rule::integrate(f, double(k) / pieces, std::min(double(k + 1) / pieces, t));
@@ -67,13 +69,19 @@ Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
 Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
                         const std::function<Eigen::Vector2d(std::uint64_t)>& draw) {
   constexpr std::size_t waves = order + order + order * order;
-  const Rosenblatt transform(density);
+  std::optional<Rosenblatt> transform;
+  try {
+    transform.emplace(density);
+  } catch (const std::logic_error& bad) {  // negative, or not integrating to one
+    return detail::refuted_density(trial, bad.what());
+  }
   // The largest of the waves is 2; the 1e-6 of the quadrature widens what is declared possible.
   const std::vector<Reference> references(waves, Reference{0, -2.00001, 2.00001, 0, /*scale=*/1});
   return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
     for (std::size_t i = 0; i < channels[0].size(); ++i) {
       const Eigen::Vector2d place = draw(first + i);
-      moments_of(transform(place.x(), place.y()), i, channels);
+      check_place(first + i, place);
+      moments_of((*transform)(place.x(), place.y()), i, channels);
     }
   });
 }

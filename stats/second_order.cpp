@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include <boost/math/distributions/normal.hpp>
 
@@ -14,7 +16,12 @@ double range_variance(const BoundedEstimator& e) { return (e.upper - e.lower) * 
 
 // Half the squared difference of draws 2i and 2i + 1.
 double pair_variance(const BoundedEstimator& e, std::uint64_t i) {
-  const double difference = e.draw(2 * i) - e.draw(2 * i + 1);
+  const auto draw = [&](std::uint64_t index) {
+    const double x = e.draw(index);
+    if (!(x >= e.lower && x <= e.upper)) throw BadDraw(index, x, "outside its declared range");
+    return x;
+  };
+  const double difference = draw(2 * i) - draw(2 * i + 1);
   return difference * difference / 2;
 }
 
@@ -36,12 +43,20 @@ Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstim
                             const BoundedEstimator& b) {
   if (!(ratio > 0)) throw std::invalid_argument("a ratio of variances must be positive");
   double scale = 0;
-  for (std::uint64_t i = 0; i < pilot_pairs; ++i) scale += ratio * pair_variance(b, i) / pilot_pairs;
+  try {
+    for (std::uint64_t i = 0; i < pilot_pairs; ++i) scale += ratio * pair_variance(b, i) / pilot_pairs;
+  } catch (const BadDraw& bad) {
+    Finding finding{Verdict::biased, Guarantee::deterministic, trial.margin};
+    finding.note = std::string("of the second estimator, ") + bad.what();
+    return finding;
+  }
   if (!(scale > 0))
     throw std::invalid_argument("the second estimator shows no variance (a ratio to it has no meaning)");
-  const Reference reference{0, -ratio * range_variance(b), range_variance(a), 0, scale, Sides::not_above};
+  const double upper =
+      std::max(range_variance(a), 2 * trial.margin * scale);  // a constant A has no range of its own
+  const Reference reference{0, -ratio * range_variance(b), upper, 0, scale, Sides::not_above};
   return test_indexed(trial, reference, [&](std::uint64_t i) {
-    return pair_variance(a, i) - ratio * pair_variance(b, pilot_pairs + i);
+    return pair_variance(a, pilot_pairs + i) - ratio * pair_variance(b, pilot_pairs + i);
   });
 }
 

@@ -50,6 +50,12 @@ TEST(House, NoticesAnIncludeThatPointsUp) {
   EXPECT_THAT(includes_up_the_chain(tree.path()), Contains(HasSubstr("stats/verdict.cpp includes estimators")));
 }
 
+TEST(House, NoticesAQuotedInclude) {
+  const TemporaryFolder tree;
+  write_file(tree / "stats/verdict.cpp", "#include \"../render/film.h\"\n");
+  EXPECT_THAT(includes_up_the_chain(tree.path()), Contains(HasSubstr("quoted")));
+}
+
 // A sampler with all its papers, from which a test takes one away.
 struct Papers {
   std::string comment = "/// Formula  p\n/// Measure  m\n/// Domain   d\n/// Random   u\n/// Source   s\n";

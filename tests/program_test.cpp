@@ -23,7 +23,7 @@ Result shell(const std::string& command, const TemporaryFolder& folder) {
   const std::string out = folder / "stdout";
   const std::string error = folder / "stderr";
   const int status =
-      std::system(("cd '" + folder.path().string() + "' && " + command + " >stdout 2>stderr").c_str());
+      std::system(("cd '" + folder.path().string() + "' && { " + command + "; } >stdout 2>stderr").c_str());
   const Result run{WEXITSTATUS(status), read_file(out), read_file(error)};
   std::filesystem::remove(out);
   std::filesystem::remove(error);
@@ -48,7 +48,17 @@ const std::string small = "render cornell-simple --width 20 --height 10 --seed 9
 
 TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("", "render");
-  expect_bad_input("rendr", "rendr");
+  expect_bad_input("rendr", "render");
+  expect_bad_input("audit", "calibration");
+  expect_bad_input("audit nope", "calibration");
+  expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounc uniform", "--bounce");
+  expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounce uniform", "--max-depth");
+  expect_bad_input("render cornell-simple --spp 1 -o a.exr --seed ''", "seed");
+  expect_bad_input("render cornell-simple --spp 1 -o ''", "-o");
+  expect_bad_input("render cornell-simple --spp 5000000000 -o a.exr", "spp");
+  expect_bad_input(small + "--spp 1 -o a.exr --png a.exr", "same file");
+  expect_bad_input(small + "--spp 1 -o ./a.exr --json a.exr", "same file");
+  expect_bad_input("verify --list > /dev/full", "standard output");
   expect_bad_input("render cornel --spp 1 -o a.exr", "cornell-simple");
   expect_bad_input("render cornell-simple --spp 1", "-o");
   expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounce sideways", "uniform");

@@ -21,8 +21,8 @@ Claim law_claim(const std::string& name, const std::string& subject, const std::
 
 /// The row that says the same exactly, by bounded moments; its margin is ten times that of a mean.
 template <Sampler Law, class Domain>
-Claim law_moments_claim(const std::string& name, const std::string& subject, const std::string& source, const Law& law,
-                        const Domain& domain) {
+Claim law_moments_claim(const std::string& name, const std::string& subject, const std::string& source,
+                        const Law& law, const Domain& domain) {
   return {name + ".moments",
           "law",
           {subject},

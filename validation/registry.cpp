@@ -49,6 +49,10 @@ void add_furnaces(std::vector<Claim>& claims) {
       "furnace.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
   claims.push_back(furnace_claim<Tracer<All, Roulette>>("furnace.light",
                                                         {"PathTracer", "DirectLight", "RouletteByReflectance"}));
+  claims.push_back(two_spheres_claim<Tracer<All, Roulette>>(
+      "furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}));
+  claims.push_back(two_spheres_claim<Tracer<One, Roulette>>(
+      "furnace.two_spheres.one", {"PathTracer", "DirectLight", "OneOf", "RouletteByReflectance"}));
   claims.push_back(furnace_partial_sum<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
       "furnace.depth3.uniform", {"PathTracer", "NoRoulette", "UniformHemisphere"}, 3, 2));
   claims.push_back(furnace_partial_sum<Tracer<All, NoRoulette, UniformHemisphere>>(

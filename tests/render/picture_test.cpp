@@ -85,6 +85,14 @@ TEST(ReadExr, RefusesEveryTruncation) {
   }
 }
 
+TEST(ReadExr, RefusesSamplesThatWereNotCounted) {
+  const TemporaryFolder folder;
+  Picture claims_more = small_picture();
+  claims_more.samples.add(42, {7, 9});
+  write_exr(folder / "more.exr", claims_more);
+  EXPECT_THROW(read_exr(folder / "more.exr"), std::runtime_error);
+}
+
 TEST(ReadExr, RefusesForeignAndMissingFiles) {
   const TemporaryFolder folder;
   write_file(folder / "text.exr", "this is not a picture");

@@ -65,5 +65,21 @@ TEST(RenderImage, RefusesPathsThatMightNotEnd) {
   EXPECT_THROW(render(settings, {0, 1}, 1), std::invalid_argument);
 }
 
+TEST(RenderImage, RefusesUniformBouncesWithoutADepthSinceTheirVarianceIsInfinite) {
+  RenderSettings settings = small();
+  settings.bounce = "uniform";
+  EXPECT_THROW(render(settings, {0, 1}, 1), std::invalid_argument);
+}
+
+TEST(RenderImage, RefusesStrategiesThatDoNotExist) {
+  for (std::string RenderSettings::*strategy :
+       {&RenderSettings::bounce, &RenderSettings::direct, &RenderSettings::light_sampling,
+        &RenderSettings::which_light, &RenderSettings::roulette, &RenderSettings::filter}) {
+    RenderSettings settings = small();
+    settings.*strategy = "sideways";
+    EXPECT_THROW(render(settings, {0, 1}, 1), std::invalid_argument);
+  }
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -48,8 +48,21 @@ TEST(WholeFile, RefusesAFolderThatDoesNotExistAndWhatIsNoFile) {
   const TemporaryFolder folder;
   EXPECT_THROW(WholeFile(folder / "missing/out"), std::runtime_error);
   EXPECT_THROW(WholeFile(folder.path().string()), std::runtime_error);
-  EXPECT_THROW(WholeFile("/dev/full"), std::runtime_error);
+  for (const char* path : {"/dev/full", "/dev/stdout", "/dev/new", "/proc/self/fd/1", ""}) {
+    EXPECT_THROW(WholeFile{path}, std::runtime_error) << path;
+  }
   EXPECT_EQ(folder.files(), 0);
+}
+
+TEST(WholeFile, FollowsALinkAndLeavesItALink) {
+  const TemporaryFolder folder;
+  testing::write_file(folder / "target", "old");
+  std::filesystem::create_symlink("target", folder / "link");
+  WholeFile file(folder / "link");
+  file.write(std::string("new"));
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(read_file(folder / "target"), "new");
 }
 
 TEST(WholeFile, ChecksWithoutATrace) {

@@ -103,6 +103,13 @@ TEST(BettingTest, RefusesAHypothesisThatCannotBeTested) {
   EXPECT_THROW(BettingTest(coin(0.1), alpha, 1), std::invalid_argument);
 }
 
+TEST(BettingTest, ChecksDrawsAfterItsVerdictToo) {
+  BettingTest test(coin(0.01), alpha, beta);
+  ASSERT_EQ(feed(test, 5, 10, 100000), Verdict::certified);
+  const std::vector<double> bad{std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_THROW(test.add(bad), BadDraw);
+}
+
 TEST(BettingTest, RefusesAnEmptyBlock) {
   BettingTest test(coin(0.01), alpha, beta);
   EXPECT_THROW(test.add({}), std::invalid_argument);

@@ -41,8 +41,8 @@ TEST(ExactMoments, OfEqualDrawsHaveNoVarianceAtAll) {
 
 TEST(ExactMoments, BelowTwoDrawsKnowNoVariance) {
   EXPECT_EQ(ExactMoments().mean(), 0);
-  EXPECT_EQ(ExactMoments().standard_error(), 0);
-  EXPECT_EQ(moments_of({5}).variance(), 0);
+  EXPECT_EQ(ExactMoments().standard_error(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(moments_of({5}).variance(), std::numeric_limits<double>::infinity());
 }
 
 TEST(ExactMoments, RoundADrawBelowTheUnitHalfToEven) {

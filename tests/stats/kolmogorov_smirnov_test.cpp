@@ -25,6 +25,7 @@ TEST(KolmogorovSmirnov, FindsASquareRootTooFar) {
   for (double& x : numbers) x = std::sqrt(x);  // distribution function x^2, farthest at 1/2: 1/4
   const auto result = kolmogorov_smirnov(numbers);
   EXPECT_NEAR(result.distance, 0.25, 1e-3);
+  EXPECT_EQ(result.too_near, 1);
   EXPECT_NEAR(std::log(result.too_far), std::log(2) - 2 * 1000 * result.distance * result.distance, 1e-9);
 }
 
@@ -44,7 +45,7 @@ TEST(KolmogorovSmirnov, HasTheMedianOfTheTable) {
 TEST(KolmogorovSmirnov, RefusesNoNumbersAndNumbersOutsideTheUnitInterval) {
   std::vector<double> none;
   std::vector<double> outside{0.5, 1.5};
-  std::vector<double> nan{std::nan("")};
+  std::vector<double> nan{0.2, std::nan(""), 0.3};
   EXPECT_THROW(kolmogorov_smirnov(none), std::invalid_argument);
   EXPECT_THROW(kolmogorov_smirnov(outside), std::invalid_argument);
   EXPECT_THROW(kolmogorov_smirnov(nan), std::invalid_argument);

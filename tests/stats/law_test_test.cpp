@@ -81,6 +81,27 @@ TEST(LawCells, IntegrateADensityOverEachDomain) {
       1e-15);
 }
 
+TEST(TestLaw, FindsADensityThatIsSomewhereNegative) {
+  const auto dips = [](double x) { return 1 + 1.5 * std::cos(2 * M_PI * x); };
+  const Finding finding = test_law(trial, IntervalDomain{0, 1}, dips, [](std::uint64_t) { return 0.1; });
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("the density is -"), std::string::npos) << finding.note;
+}
+
+TEST(TestLaw, FindsADrawThatIsNoPoint) {
+  const auto flat = [](const Eigen::Vector2d&) { return 1.0; };
+  const Finding finding =
+      test_law(trial, SquareDomain{0, 1}, flat, [](std::uint64_t) { return Eigen::Vector2d(0.5, std::nan("")); });
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("draw 0 is nan"), std::string::npos) << finding.note;
+}
+
+TEST(TestLaw, IsUndecidedWhereItCannotIntegrate) {
+  const auto comb = [](double x) { return std::fmod(x * 1234.5, 1) < 0.5 ? 2.0 : 0.0; };
+  EXPECT_EQ(test_law(trial, IntervalDomain{0, 1}, comb, [](std::uint64_t) { return 0.1; }).verdict,
+            Verdict::undecided);
+}
+
 TEST(LawCells, RefuseADiscreteSetOfOne) {
   EXPECT_THROW(law_cells(DiscreteDomain{1}, [](std::int64_t) { return 1.0; }), std::invalid_argument);
 }

@@ -43,6 +43,19 @@ TEST(RosenblattTest, CertifiesTheLawAndFindsAnother) {
   EXPECT_EQ(test_rosenblatt(trial, ramp, right).guarantee, Guarantee::exact);
 }
 
+TEST(RosenblattTest, RefutesWhatIsNoDensityAndNoPoint) {
+  const auto middle = [](std::uint64_t) { return Eigen::Vector2d(0.5, 0.5); };
+  const auto too_much = [](double, double) { return 1.1; };
+  EXPECT_NE(test_rosenblatt(trial, too_much, middle).note.find("integrates to 1.1"), std::string::npos);
+  const auto flat = [](double, double) { return 1.0; };
+  for (double wrong : {-0.1, 1.1, std::nan("")}) {
+    const Finding finding =
+        test_rosenblatt(trial, flat, [=](std::uint64_t) { return Eigen::Vector2d(0.5, wrong); });
+    EXPECT_EQ(finding.verdict, Verdict::biased) << wrong;
+    EXPECT_TRUE(finding.note.starts_with("draw 0 is ")) << finding.note;
+  }
+}
+
 TEST(RosenblattTest, FindsADependenceBetweenTheAxes) {
   const auto flat = [](double, double) { return 1.0; };
   const auto diagonal = [](std::uint64_t i) {

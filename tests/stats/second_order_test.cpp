@@ -34,6 +34,18 @@ TEST(VarianceRatio, KnowsALargerVarianceFromASmallerOne) {
                std::invalid_argument);
 }
 
+TEST(Variance, NamesADrawOutsideItsRange) {
+  const BoundedEstimator strays{[](std::uint64_t i) { return i == 5 ? 3.0 : coin(i); }, 0, 1};
+  const Finding finding = test_variance(trial, 0.25, strays);
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("draw 5 is 3"), std::string::npos) << finding.note;
+}
+
+TEST(VarianceRatio, CertifiesAConstant) {
+  const BoundedEstimator constant{[](std::uint64_t) { return 1.0; }, 1, 1};
+  EXPECT_EQ(test_variance_ratio(trial, 1, constant, {coin, 0, 1}).verdict, Verdict::certified);
+}
+
 TEST(Uncorrelated, SeesACopyAndAMirrorImage) {
   const auto pairs = [](double sign) {
     return [sign](std::uint64_t i) { return std::pair(coin(2 * i), 0.5 + sign * (coin(2 * i) - 0.5)); };

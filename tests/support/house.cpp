@@ -35,7 +35,7 @@ struct Component {
 };
 
 std::vector<Component> components(const fs::path& header) {
-  static const std::regex declaration(R"(^(?:struct|class) (\w+) (?:: .*)?\{.*$)");
+  static const std::regex declaration(R"(^(?:struct|class) (\w+)(?: final)? (?:: .*)?\{.*$)");
   std::vector<Component> found;
   std::string comment;
   bool inside = false;
@@ -61,18 +61,22 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 bool is_component(const Component& c) {
   return has(c.body, " sample(") || has(c.body, " sum(") || has(c.body, " play(") || has(c.body, " estimate(") ||
-         has(c.body, " next(");
+         has(c.body, " next()") || has(c.body, " radiance(");
 }
 
 }  // namespace
 
 std::vector<std::string> includes_up_the_chain(const fs::path& root) {
-  static const std::regex include(R"(^\s*#\s*include\s*[<"]fairlight/(\w+)/.*$)");
+  static const std::regex include(R"(^\s*#\s*include\s*<fairlight/(\w+)/.*$)");
+  static const std::regex quoted(R"(^\s*#\s*include\s*".*$)");
   std::vector<std::string> problems;
   for (const auto& [folder, rank] : chain) {
     for (const fs::path& file : sources(root / folder)) {
       for (const std::string& line : lines_of(file)) {
         std::smatch match;
+        if (std::regex_match(line, quoted)) {
+          problems.push_back(fs::relative(file, root).string() + " has a quoted include");
+        }
         if (!std::regex_match(line, match, include)) continue;
         const auto target = chain.find(match[1]);
         if (target == chain.end() || target->second > rank) {
@@ -106,7 +110,10 @@ std::vector<std::string> foreign_includes_in_stats(const fs::path& root) {
 std::vector<std::string> components_without_papers(const fs::path& root, const std::set<std::string>& registered) {
   std::vector<std::string> problems;
   const std::string docs = read_file((root / "docs/estimators.md").string());
-  for (const fs::path& header : sources(root / "estimators")) {
+  std::vector<fs::path> files = sources(root / "estimators");
+  for (const fs::path& file : sources(root / "render")) files.push_back(file);
+  for (const fs::path& header : files) {
+    if (header.extension() != ".h") continue;
     for (const Component& c : components(header)) {
       if (!is_component(c)) continue;
       const auto missing = [&](const std::string& what) { problems.push_back(c.name + " has no " + what); };
@@ -117,7 +124,8 @@ std::vector<std::string> components_without_papers(const fs::path& root, const s
       }
       if (!registered.contains(c.name)) missing("row in the registry");
       if (!has(docs, "## " + c.name + "\n")) missing("section in docs/estimators.md");
-      const std::string test = "tests/estimators/" + header.stem().string() + "_test.cpp";
+      const std::string test =
+          "tests/" + header.parent_path().filename().string() + "/" + header.stem().string() + "_test.cpp";
       if (!has(read_file((root / test).string()), c.name)) missing("test in " + test);
     }
   }

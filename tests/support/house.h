@@ -16,7 +16,7 @@ std::vector<std::string> includes_up_the_chain(const std::filesystem::path& root
 /// framework, that framework as well.
 std::vector<std::string> foreign_includes_in_stats(const std::filesystem::path& root);
 
-/// Every component in estimators/, a class that samples, sums, plays or estimates, must open with Source, and with
+/// Every component in estimators/ and render/, a class that samples, sums, plays or estimates, must open with Source, and with
 /// Formula, Measure, Domain and Random when it has a density; have a row in the registry, a test file of its
 /// header's name, and a section in docs/estimators.md.
 std::vector<std::string> components_without_papers(const std::filesystem::path& root,

@@ -72,7 +72,6 @@ int faults(const AuditOptions& options) {
 
 void add_audit_command(CLI::App& program, Command& command) {
   auto* app = program.add_subcommand("audit", "Test the tests");
-  app->require_subcommand(1);
   auto options = std::make_shared<AuditOptions>();
   auto* sub = app->add_subcommand("faults", "Run wrong estimators through the claims: each must be found biased");
   sub->add_option("--seeds", options->seeds, "How many seeds for each")

@@ -103,6 +103,38 @@ TestKind counts() {
           }};
 }
 
+TestKind two_cells() {
+  return {"counts.coin", false, [](const Trial& trial, double bias) {
+            const Numbers u(trial);
+            return test_law(
+                trial, DiscreteDomain{2}, [](std::int64_t) { return 0.5; },
+                [&](std::uint64_t i) { return std::int64_t{u(i) < (1 + bias) / 2}; });
+          }};
+}
+
+// The density 1 + b (2s - 1), whose draws are found by inversion, against the uniform one; its L2 distance is b / sqrt3.
+TestKind density() {
+  return {"law.interval", false, [](const Trial& trial, double bias) {
+            const Numbers u(trial);
+            const double b = bias * std::numbers::sqrt3;
+            return test_law(
+                trial, IntervalDomain{0, 1}, [](double) { return 1.0; },
+                [&](std::uint64_t i) {
+                  const double c = 1 - b;
+                  return 2 * u(i) / (c + std::sqrt(c * c + 4 * b * u(i)));
+                });
+          }};
+}
+
+TestKind not_below() {
+  return {"betting.not_below", true,
+          [](const Trial& trial, double bias) {  // dark is the fault: the bias is turned over
+            const Numbers u(trial);
+            const auto draw = [=](std::uint64_t i, std::uint32_t) { return 2 * u(i) * (1 - bias); };
+            return test_means(trial, {{1, 0, 2.5, 0, 1, Sides::not_below}}, block_of(draw));
+          }};
+}
+
 // One sample of fixed size, large enough to see u^(1/(1+margin)) at a level of 1e-8.
 TestKind kolmogorov() {
   return {"kolmogorov_smirnov", false, [](const Trial& trial, double bias) {
@@ -177,8 +209,8 @@ TestKind replicates() {
 std::vector<TestKind> build() {
   std::vector<TestKind> kinds;
   for (const CostLaw& law : cost_laws()) kinds.push_back(betting(law));
-  for (const auto& make : {one_sided, channels, difference, student, welch, counts, kolmogorov, moments_of_the_law,
-                           variance, variance_at_most, correlation, replicates}) {
+  for (const auto& make : {one_sided, not_below, channels, difference, student, welch, counts, two_cells, density,
+                           kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates}) {
     kinds.push_back(make());
   }
   return kinds;

@@ -24,7 +24,7 @@ struct TesterOutcome {
   std::string name;
   int runs;
   int failures;
-  int limit;  ///< the largest number of failures that chance allows at 1e-6, by the binomial law
+  int limit;  ///< the largest number of failures that chance allows, at 1e-6 for all rows together, by the binomial law; or 0
   bool passed() const { return failures <= limit; }
 };
 
@@ -40,8 +40,9 @@ std::vector<TesterOutcome> audit_power(const TesterAudit& audit, const Progress&
 /// The core test's cost on right code, at alpha = 1e-8 and beta = 0.01, in units of (CV / margin)^2 draws.
 struct CostOutcome {
   std::string law;
-  double draws_per_cv2;
-  double limit;  ///< 0 where the cost is only reported
+  double draws_per_cv2;   ///< the mean over runs
+  double standard_error;  ///< of that mean
+  double limit;           ///< 0 where the cost is only reported
 };
 std::vector<CostOutcome> audit_cost(const TesterAudit& audit, const Progress& progress = {});
 

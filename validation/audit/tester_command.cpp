@@ -51,9 +51,9 @@ bool print_cost(const std::vector<CostOutcome>& costs) {
   bool passed = true;
   std::printf("\n%-44s %s\n", "draws of the core test on right code, alpha 1e-8, beta 0.01", "in (CV/margin)^2");
   for (const CostOutcome& c : costs) {
-    const bool over = c.limit > 0 && c.draws_per_cv2 > c.limit;
+    const bool over = c.limit > 0 && c.draws_per_cv2 - 5 * c.standard_error > c.limit;
     passed = passed && !over;
-    std::printf("  %-42s %6.1f", c.law.c_str(), c.draws_per_cv2);
+    std::printf("  %-42s %6.1f +- %.1f", c.law.c_str(), c.draws_per_cv2, c.standard_error);
     if (c.limit > 0) std::printf("  (at most %.0f)", c.limit);
     std::puts(over ? "  <- over" : "");
   }
