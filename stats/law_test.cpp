@@ -15,13 +15,13 @@ namespace {
 Finding refuted(const Trial& trial, const std::string& why) {
   Finding finding{Verdict::biased, Guarantee::deterministic, trial.margin};
   finding.note = why;
-  return finding;
+  return with_token(trial, finding);
 }
 
 Finding undecided(const Trial& trial, const std::string& why) {
   Finding finding{Verdict::undecided, Guarantee::asymptotic, trial.margin};
   finding.note = why;
-  return finding;
+  return with_token(trial, finding);
 }
 
 // What the statistic says of the distance between the two laws: each end wrong with probability beta.
@@ -94,7 +94,7 @@ Finding test_counts(const Trial& trial, const LawCells& cells,
     if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws) {
       return refuted(trial, "the counts do not add up to the number of draws");
     }
-    return judged(trial, cells, counts, draws);
+    return with_token(trial, judged(trial, cells, counts, draws));
   } catch (const TooFewDraws& few) {
     return undecided(trial, few.what());
   } catch (const std::invalid_argument& bad) {

@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include <fairlight/stats/manifest.h>
+#include <fairlight/stats/seed.h>
 
 namespace fairlight {
 namespace {
@@ -36,6 +37,11 @@ void check_trial(const Trial& trial) {
                                   "\" must all be in (0,1)");
     }
   }
+}
+
+Finding with_token(const Trial& trial, Finding finding) {
+  finding.token = seed_text(trial.seed);
+  return finding;
 }
 
 Trial Manifest::trial(const std::string& claim) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fairlight/stats/budget.h>
+#include <fairlight/stats/verdict.h>
 
 namespace fairlight {
 
@@ -20,6 +21,9 @@ struct Trial {
 
 /// Throws std::invalid_argument unless level, miss rate and margin are all in (0,1). Every test asks this first.
 void check_trial(const Trial& trial);
+
+/// The finding with the token of its trial.
+Finding with_token(const Trial& trial, Finding finding);
 
 /// The list of all claims of a run, with what they share. A claim that is not on the list has no share, so cannot
 /// run.

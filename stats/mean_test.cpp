@@ -90,9 +90,9 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
     finding.bias = rough_bias(references, draw_block);
     finding.draws = bad.draw() + 1;
     finding.note = bad.what();
-    return finding;
+    return with_token(trial, finding);
   }
-  return worst_of(tests, references, trial.margin);
+  return with_token(trial, worst_of(tests, references, trial.margin));
 }
 
 }  // namespace fairlight

@@ -48,7 +48,7 @@ Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstim
   } catch (const BadDraw& bad) {
     Finding finding{Verdict::biased, Guarantee::deterministic, trial.margin};
     finding.note = std::string("of the second estimator, ") + bad.what();
-    return finding;
+    return with_token(trial, finding);
   }
   if (!(scale > 0))
     throw std::invalid_argument("the second estimator shows no variance (a ratio to it has no meaning)");

@@ -190,12 +190,12 @@ class GroupSequential {
 
 Finding run(const Trial& trial, double mean, double scale, std::size_t arms, const DrawBlock& draw_block) {
   try {
-    return GroupSequential(trial, mean, scale, arms, draw_block).run();
+    return with_token(trial, GroupSequential(trial, mean, scale, arms, draw_block).run());
   } catch (const BadDraw& bad) {
     Finding finding{Verdict::biased, Guarantee::deterministic, trial.margin};
     finding.draws = bad.draw() + 1;
     finding.note = bad.what();
-    return finding;
+    return with_token(trial, finding);
   }
 }
 

@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/lambertian.h>

@@ -26,6 +26,7 @@ TEST(TestCounts, CertifiesCountsAsChanceMakesThem) {
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_EQ(finding.guarantee, Guarantee::asymptotic);
   EXPECT_LT(finding.interval.hi, 0.05);
+  EXPECT_EQ(finding.token, "0000000000000001");
 }
 
 TEST(TestCounts, FindsCountsThatAreTooGood) {

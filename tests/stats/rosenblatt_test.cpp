@@ -41,6 +41,7 @@ TEST(RosenblattTest, CertifiesTheLawAndFindsAnother) {
   EXPECT_EQ(test_rosenblatt(trial, ramp, right).verdict, Verdict::certified);
   EXPECT_EQ(test_rosenblatt(trial, ramp, wrong).verdict, Verdict::biased);
   EXPECT_EQ(test_rosenblatt(trial, ramp, right).guarantee, Guarantee::exact);
+  EXPECT_EQ(test_rosenblatt(trial, ramp, right).token, "0000000000000001");
 }
 
 TEST(RosenblattTest, RefutesWhatIsNoDensityAndNoPoint) {

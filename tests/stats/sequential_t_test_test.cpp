@@ -27,6 +27,7 @@ TEST(SequentialT, CertifiesTheMeanOfAnExponentialLaw) {
   const Finding finding = sequential_t_test(trial, 1, 1, draws_of([](double u, auto) { return -std::log(u); }));
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_EQ(finding.guarantee, Guarantee::asymptotic);
+  EXPECT_EQ(finding.token, "0000000000000001");
   EXPECT_GT(finding.interval.lo, -0.05);
   EXPECT_LT(finding.interval.hi, 0.05);
 }

@@ -31,6 +31,7 @@ TEST(CheckMean, ReportsTheBiasRelativeToTheReference) {
   EXPECT_DOUBLE_EQ(finding.bias, 0.25);
   EXPECT_GT(finding.interval.lo, 0);
   EXPECT_EQ(finding.guarantee, Guarantee::exact);
+  EXPECT_EQ(finding.token, "0000000000000001");
 }
 
 TEST(CheckMean, NamesADrawThatIsOutOfItsRange) {
