@@ -7,7 +7,7 @@
 namespace fairlight {
 namespace {
 
-TesterAudit brief() { return {fresh_seed(), 2, 200, 10, 10, 10000}; }
+TesterAudit brief() { return {fresh_seed(), 2, 200, 10, 10, 20000}; }
 
 TEST(TesterAudit, RightCodeFailsNoMoreOftenThanItMay) {
   const TesterAudit audit = brief();
