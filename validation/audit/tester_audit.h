@@ -49,8 +49,8 @@ std::vector<CostOutcome> audit_cost(const TesterAudit& audit, const Progress& pr
 /// What a z-test of fixed size takes to do both, (z_(alpha/2) + z_beta)^2, in the same unit.
 double fixed_size_cost(double alpha, double beta);
 
-/// Fixed-n p-values: those of right tests must be uniform, and those of a test whose sigma is 5 % too small must
-/// not be.
+/// Fixed-n p-values: those of right tests must be uniform, judged at 1e-6, and those of a test whose sigma is 5 % too
+/// small must not be, judged at 1e-3.
 struct UniformityOutcome {
   std::string name;
   int p_values;
