@@ -100,9 +100,9 @@ std::vector<TesterOutcome> audit_power(const TesterAudit& audit, const Progress&
   for (const TestKind& kind : test_kinds()) {
     for (double bias : {audit_margin, -audit_margin}) {
       if (kind.one_sided && bias < 0) continue;
-      for (double beta : {1e-6, 1e-2}) {
+      for (double beta : {1e-8, 1e-2}) {
         const std::string name =
-            kind.name + (bias > 0 ? " +" : " -") + (beta < 1e-3 ? " miss rate 1e-6" : " miss rate 0.01");
+            kind.name + (bias > 0 ? " +" : " -") + (beta < 1e-3 ? " miss rate 1e-8" : " miss rate 0.01");
         const Trial trial{"power." + name, 0, 1e-6, beta, audit_margin};
         const int limit = beta < 1e-3 ? 0 : binomial_limit(audit.power_seeds, beta);
         jobs.push_back({&kind, name, bias, trial, Verdict::biased, audit.power_seeds, limit});

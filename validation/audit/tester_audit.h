@@ -32,7 +32,7 @@ struct TesterOutcome {
 /// verdict but `certified`.
 std::vector<TesterOutcome> audit_calibration(const TesterAudit& audit, const Progress& progress = {});
 
-/// Power: every kind of test on draws that are off by plus and minus the margin, twice. With a miss rate of 1e-6 no
+/// Power: every kind of test on draws that are off by plus and minus the margin, twice. With a miss rate of 1e-8 no
 /// run may miss (limit 0); with 0.01, the usual one, misses are inside the binomial limit of that rate. A miss is
 /// any verdict but `biased`.
 std::vector<TesterOutcome> audit_power(const TesterAudit& audit, const Progress& progress = {});
