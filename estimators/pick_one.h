@@ -16,7 +16,7 @@ template <class Real>
 class UniformChoice {
  public:
   struct Pick {
-    int index;
+    Index<Real> index;
     Density<Discrete, Real> probability;
   };
 
@@ -25,7 +25,7 @@ class UniformChoice {
   }
 
   Pick sample(Real u) const {
-    return {static_cast<int>(u * Real(n_)), Density<Discrete, Real>(Real(1) / Real(n_))};
+    return {whole(u * rounded<Real>(n_)), Density<Discrete, Real>(Real(1) / rounded<Real>(n_))};
   }
 
  private:

@@ -1,14 +1,46 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 namespace fairlight {
 
 /// Samplers, geometry and the path tracer are templates over Real: `double`, the readable reference, or a SIMD
-/// packet. What differs between the two is here: a packet type overloads these three, and a comparison of packets
-/// is a mask.
+/// packet of floats (packet.h). What differs between the two is here: a packet type specialises the traits and
+/// overloads the functions, and a comparison of packets is a mask.
+
+/// The number type of one lane.
+template <class Real>
+struct LaneOf {
+  using Type = Real;
+};
+template <class Real>
+using Lane = typename LaneOf<Real>::Type;
+
+/// The type of a comparison of two Reals.
+template <class Real>
+using Mask = decltype(Real() < Real());
+
+/// How many independent draws a Real holds.
+template <class Real>
+inline constexpr std::size_t lanes = 1;
+
+/// The type of an index per lane.
+template <class Real>
+struct IndexOf {
+  using Type = int;
+};
+template <class Real>
+using Index = typename IndexOf<Real>::Type;
+
+/// A number known in double, as near as Real comes to it.
+template <class Real>
+constexpr Real rounded(double x) {
+  return Real(static_cast<Lane<Real>>(x));
+}
 
 /// a where the mask holds, b elsewhere. Both are evaluated.
 template <class Value>
@@ -16,17 +48,32 @@ Value select(bool mask, const Value& a, const Value& b) {
   return mask ? a : b;
 }
 
-/// Whether the mask holds anywhere.
+/// Whether the mask holds anywhere; everywhere.
 inline bool any(bool mask) { return mask; }
+inline bool all(bool mask) { return mask; }
 
-/// The type of a comparison of two Reals.
+/// The whole number below a nonnegative Real.
+inline int whole(double x) { return static_cast<int>(x); }
+inline int whole(float x) { return static_cast<int>(x); }
+
+/// Where two indices are the same, below 2^24.
 template <class Real>
-using Mask = decltype(Real() < Real());
+Mask<Real> same_index(int a, int b) {
+  return a == b;
+}
+
+/// The values of the lanes, as doubles, to `out`.
+inline void store_lanes(double x, double* out) { *out = x; }
+inline void store_lanes(float x, double* out) { *out = static_cast<double>(x); }
 
 template <class Real>
-inline const Real pi = Real(std::numbers::pi);
+inline constexpr Lane<Real> pi = std::numbers::pi_v<Lane<Real>>;
 
 template <class Real>
-inline const Real infinity = Real(std::numeric_limits<double>::infinity());
+inline constexpr Lane<Real> infinity = std::numeric_limits<Lane<Real>>::infinity();
+
+/// The spacing of Reals just above 1.
+template <class Real>
+inline constexpr Lane<Real> ulp = std::numeric_limits<Lane<Real>>::epsilon();
 
 }  // namespace fairlight

@@ -35,7 +35,8 @@ class Rouletted {
   auto estimate(Source& source) const {
     const auto [alive, weight] = Roulette::template play<Real>(q_, source.next());
     using Value = decltype(inner_.estimate(source));
-    return alive ? Value(inner_.estimate(source) * weight) : Value(0);
+    if (!any(alive)) return zero<Value>();
+    return select(alive, Value(inner_.estimate(source) * weight), zero<Value>());
   }
 
  private:
@@ -50,7 +51,7 @@ template <class Roulette = RussianRoulette>
 struct RouletteByReflectance {
   template <class Real, UniformSource<Real> Source>
   static Survival<Real> play(const Rgb<Real>& albedo, Source& source) {
-    return Roulette::template play<Real>(albedo.maxCoeff(), source.next());
+    return Roulette::template play<Real>(max_channel(albedo), source.next());
   }
 };
 

@@ -22,7 +22,8 @@ class UniformSphereArea {
 
   /// radius > 0 in m; throws std::invalid_argument otherwise.
   explicit UniformSphereArea(Real radius) : radius_(radius) {
-    if (!(radius > Real(0))) throw std::invalid_argument("a sphere's radius must be positive (its area divides)");
+    if (!all(radius > Real(0)))
+      throw std::invalid_argument("a sphere's radius must be positive (its area divides)");
   }
 
   /// The outward unit normal at the point.

@@ -5,10 +5,17 @@
 #include <cstdint>
 #include <string_view>
 
+#include <fairlight/estimators/packet.h>
+
 namespace fairlight {
 
-/// Philox 4x32-10: a counter and a key to four uniform 32-bit words, without state. Word may be a packet of 32-bit
-/// words that overloads `multiply_high_low`.
+/// The high and the low half of a product.
+inline std::array<std::uint32_t, 2> multiply_high_low(std::uint32_t a, std::uint32_t b) {
+  const std::uint64_t product = std::uint64_t{a} * b;
+  return {static_cast<std::uint32_t>(product >> 32), static_cast<std::uint32_t>(product)};
+}
+
+/// Philox 4x32-10: a counter and a key to four uniform 32-bit words, without state. Word may be a packet of words.
 /// Source: Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3"; known answers in the tests.
 template <class Word>
 struct Philox {
@@ -17,21 +24,12 @@ struct Philox {
 
   static Counter draw(Counter counter, Key key) {
     for (int round = 0; round < 10; ++round) {
-      const auto [high0, low0] = multiply_high_low(Word(0xD2511F53u), counter[0]);
-      const auto [high1, low1] = multiply_high_low(Word(0xCD9E8D57u), counter[2]);
+      const auto [high0, low0] = multiply_high_low(0xD2511F53u, counter[0]);
+      const auto [high1, low1] = multiply_high_low(0xCD9E8D57u, counter[2]);
       counter = {high1 ^ counter[1] ^ key[0], low1, high0 ^ counter[3] ^ key[1], low0};
       key = {key[0] + Word(0x9E3779B9u), key[1] + Word(0xBB67AE85u)};
     }
     return counter;
-  }
-
- private:
-  struct HighLow {
-    Word high, low;
-  };
-  static HighLow multiply_high_low(std::uint32_t a, std::uint32_t b) {
-    const std::uint64_t product = std::uint64_t{a} * b;
-    return {static_cast<std::uint32_t>(product >> 32), static_cast<std::uint32_t>(product)};
   }
 };
 
@@ -82,6 +80,44 @@ class PhiloxStream<double> {
   Philox<std::uint32_t>::Key key_;
   Philox<std::uint32_t>::Counter counter_;
   Philox<std::uint32_t>::Counter block_{};
+  std::size_t left_ = 0;
+};
+
+/// The same for packets: the lanes are consecutive samples, and a number is a multiple of 2^-24. What a lane gets does
+/// not depend on how many lanes there are.
+template <class A>
+class PhiloxStream<xsimd::batch<float, A>> {
+ public:
+  using Real = xsimd::batch<float, A>;
+
+  /// Of the samples `first`, `first` + 1, ..., one a lane.
+  PhiloxStream(const StreamKey& key, std::uint32_t unit, std::uint64_t first)
+      : key_{Word(key.words()[0]), Word(key.words()[1])} {
+    std::array<std::uint32_t, lanes<Real>> low{};
+    std::array<std::uint32_t, lanes<Real>> high{};
+    for (std::size_t i = 0; i < lanes<Real>; ++i) {
+      low[i] = static_cast<std::uint32_t>(first + i);
+      high[i] = static_cast<std::uint32_t>((first + i) >> 32);
+    }
+    counter_ = {Word(0u), Word::load_unaligned(low.data()), Word::load_unaligned(high.data()), Word(unit)};
+  }
+
+  /// The next dimension.
+  Real next() {
+    if (left_ == 0) {
+      block_ = Philox<Word>::draw(counter_, key_);
+      counter_[0] += Word(1u);
+      left_ = 4;
+    }
+    --left_;
+    return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(block_[left_] >> 8)) * 0x1p-24f;
+  }
+
+ private:
+  using Word = xsimd::batch<std::uint32_t, A>;
+  typename Philox<Word>::Key key_;
+  typename Philox<Word>::Counter counter_;
+  typename Philox<Word>::Counter block_{};
   std::size_t left_ = 0;
 };
 

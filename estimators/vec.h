@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <fairlight/estimators/real.h>
+#include <fairlight/estimators/packet.h>
 
 namespace fairlight {
 
@@ -14,6 +16,23 @@ using Vec3 = Eigen::Matrix<Real, 3, 1>;
 /// Red, green and blue; radiance in W/(sr m^2), or a reflectance in [0,1].
 template <class Real>
 using Rgb = Eigen::Array<Real, 3, 1>;
+
+/// The largest of three channels.
+template <class Real>
+Real max_channel(const Rgb<Real>& colour) {
+  using std::max;
+  return max(max(colour[0], colour[1]), colour[2]);
+}
+
+/// The zero of a number, a vector or a colour.
+template <class Value>
+Value zero() {
+  if constexpr (requires { Value::Zero(); }) {
+    return Value::Zero();
+  } else {
+    return Value(0);
+  }
+}
 
 /// An orthonormal, right-handed frame about a unit normal.
 /// Source: Duff et al. 2017, "Building an orthonormal basis, revisited".

@@ -60,6 +60,9 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper && std::isfinite(h.upper - h.lower))) {
     throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
   }
+  if (!(h.rounding >= 0 && h.rounding <= h.margin / 4)) {
+    throw std::invalid_argument("the rounding must be nonnegative and at most a quarter of the margin");
+  }
   if (!(h.tail_slack >= 0 && h.tail_slack <= largest_slack * h.margin)) {
     throw std::invalid_argument(
         "the tail slack must be nonnegative and at most 1/20 of the margin (raise the bound)");
@@ -134,8 +137,8 @@ void BettingTest::add(std::span<const double> draws) {
   const double room_down = h.mean - h.lower;
   const double room_up = h.upper - h.mean + h.tail_slack;
   for (std::size_t i = 0; i < mixture_factors.size(); ++i) {
-    log_up_[i] += log_growth(mixture_factors[i] * block.bet, room_down, above);
-    log_down_[i] += log_growth(mixture_factors[i] * block.bet, room_up, below);
+    log_up_[i] += log_growth(mixture_factors[i] * block.bet, room_down + h.rounding, above - h.rounding);
+    log_down_[i] += log_growth(mixture_factors[i] * block.bet, room_up + h.rounding, below - h.rounding);
   }
   log_not_darker_ += log_growth(block.bet, room_down - h.margin, above + h.margin);
   log_not_brighter_ += log_growth(block.bet, room_up - h.margin, below + h.margin);

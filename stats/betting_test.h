@@ -26,6 +26,7 @@ struct MeanHypothesis {
   double upper;           ///< X <= upper: always if tail_slack is 0, else but for E[(X - upper)+] <= tail_slack
   double tail_slack = 0;  ///< in X's unit
   Sides sides = Sides::both;
+  double rounding = 0;  ///< what the arithmetic may add or take, in X's unit: only a bias beyond it is called one
 };
 
 /// A draw that the hypothesis rules out: not a number, infinite, or out of its declared range.
@@ -44,6 +45,7 @@ class BadDraw : public std::runtime_error {
 ///   U0 = prod 1 + l (X - mean)                      grows when X is too bright
 ///   D0 = prod 1 + l (mean - slack - min(X, upper))  grows when X is too dark
 ///   D1 = D0 against mean + margin,  U1 = U0 against mean - margin
+/// (with a declared rounding, U0 bets against mean + rounding and D0 against mean - rounding.)
 /// `biased` when U0 or D0 reaches 2/alpha; `certified` when D1 and U1 both reach 1/beta. A one-sided claim
 /// (not_above) is biased when U0 reaches 1/alpha and certified when D1 reaches 1/beta, and likewise on the other
 /// side. Each process is a nonnegative supermartingale under the hypothesis that it tests, so by Ville's inequality

@@ -55,7 +55,8 @@ Finding finding_of(const BettingTest& test, const Reference& reference, double m
           margin,
           relative(test.moments().mean()),
           {relative(interval.lo), relative(interval.hi)},
-          test.moments().count()};
+          test.moments().count(),
+          reference.rounding};
 }
 
 Finding worst_of(const std::vector<BettingTest>& tests, const std::vector<Reference>& references, double margin) {
@@ -80,7 +81,8 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
   std::vector<BettingTest> tests;
   const double alpha = trial.alpha / static_cast<double>(references.size());
   for (const Reference& r : references) {
-    const MeanHypothesis hypothesis{r.mean, trial.margin * r.scale, r.lower, r.upper, r.tail_slack, r.sides};
+    const MeanHypothesis hypothesis{r.mean,  trial.margin * r.scale, r.lower, r.upper, r.tail_slack,
+                                    r.sides, r.rounding * r.scale};
     tests.emplace_back(hypothesis, alpha, trial.beta);
   }
   try {

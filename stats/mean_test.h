@@ -18,6 +18,7 @@ struct Reference {
   double scale =
       mean;  ///< what margin and bias are relative to; for a difference, where the mean is 0, its terms' mean
   Sides sides = Sides::both;
+  double rounding = 0;  ///< of the arithmetic, relative to scale: a bias up to it is not called one
 };
 
 /// Fills channels[c][i] with channel c of draw first + i, for every i. The channels come with their size.

@@ -14,9 +14,9 @@ namespace fairlight {
 using SquareDensity = std::function<double(double s, double t)>;
 
 /// Rosenblatt's transform of a density on the unit square: (s, t) to (P(S <= s), P(T <= t | S = s)), which is
-/// uniform on the square exactly when (s, t) has that density. The marginal's distribution function is tabulated at
-/// 256 knots; between them, and in t, eight-point Gauss rules integrate the density, so it should be smooth but at
-/// multiples of 1/256 in s and 1/8 in t. Source: Rosenblatt 1952.
+/// uniform on the square exactly when (s, t) has that density. The marginal and its distribution function are tabulated
+/// at 256 knots, with a cubic between them; in t, eight-point Gauss rules integrate the density. So it should be smooth
+/// but at multiples of 1/256 in s and 1/8 in t. Source: Rosenblatt 1952.
 class Rosenblatt {
  public:
   /// Throws std::invalid_argument when the density does not integrate to one within 1e-6.
@@ -25,11 +25,15 @@ class Rosenblatt {
   Eigen::Vector2d operator()(double s, double t) const;
 
  private:
-  double strip(double s, double t) const;   // integral of the density over [0, t] at s
-  double slab(double s0, double s1) const;  // integral over [s0, s1] x [0, 1]
+  // Between two knots: the distribution function at the first, and the marginal just inside both.
+  struct Slab {
+    double before, first, last, mass;
+  };
+
+  double strip(double s, double t) const;  // integral of the density over [0, t] at s
 
   SquareDensity density_;
-  std::vector<double> cumulative_;
+  std::vector<Slab> slabs_;
 };
 
 /// The law of a sampler by bounded moments, exactly: of the Rosenblatt transform (u, v) of its draws, the cosines

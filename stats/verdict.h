@@ -33,6 +33,7 @@ struct Finding {
   double bias = 0;          ///< the estimate of the bias, relative
   Interval interval{0, 0};  ///< each end is wrong with at most the miss rate
   std::uint64_t draws = 0;  ///< how many draws the verdict took
+  double rounding = 0;      ///< of the arithmetic, relative: a bias up to it is not called one
   std::string token{};      ///< with the claim's name, replays it: the seed, as 16 hexadecimal digits
   std::string note{};       ///< one sentence where there is more to say; empty otherwise
 };

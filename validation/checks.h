@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -18,66 +18,165 @@ namespace fairlight {
 
 /// The checks of the registry: the tests of stats, fed by streams that depend on the trial's seed and claim alone.
 
-/// The mean of an estimator, one reference per channel: `draw(source)` gives a double or an Rgb<double>.
-template <class Draw>
+/// What the arithmetic of a Real may add to a mean or take from it, relative: nothing that shows in double. In
+/// floats, 84 roundings of half an ulp, 2^-24, that all go one way: more than any component makes.
+template <class Real>
+inline constexpr double arithmetic_rounding = lanes<Real> > 1 ? 5e-6 : 0;
+
+namespace detail {
+
+/// One channel of a draw: the number itself, or a colour's.
+template <class Value>
+auto channel_of(const Value& x, std::size_t c) {
+  if constexpr (requires { x.rows(); }) {
+    return x[static_cast<Eigen::Index>(c)];
+  } else {
+    return x;
+  }
+}
+
+/// A point of the lane, in double: a number or a vector.
+template <class Point>
+auto lane_of(const Point& x, std::size_t lane) {
+  const auto number = [lane](const auto& value) {
+    std::array<double, lanes<std::remove_cvref_t<decltype(value)>>> values{};
+    store_lanes(value, values.data());
+    return values[lane];
+  };
+  if constexpr (requires { x.rows(); }) {
+    Eigen::Matrix<double, Point::RowsAtCompileTime, 1> point;
+    for (Eigen::Index i = 0; i < point.size(); ++i) point[i] = number(x[i]);
+    return point;
+  } else {
+    return number(x);
+  }
+}
+
+}  // namespace detail
+
+/// References as a Real can keep them: the range widened, and the mean allowed to be off, by its rounding.
+template <class Real>
+std::vector<Reference> rounded_references(std::vector<Reference> references) {
+  for (Reference& r : references) {
+    const double slack = 4 * arithmetic_rounding<Real> * std::max(std::abs(r.lower), std::abs(r.upper));
+    r.lower -= r.lower == 0 ? 0 : slack;
+    r.upper += slack;
+    r.rounding += arithmetic_rounding<Real>;
+  }
+  return references;
+}
+
+/// The mean of an estimator, one reference per channel: `draw(source)` gives a Real or an Rgb<Real>.
+template <class Real = double, class Draw>
 Finding check_mean(const Trial& trial, const std::vector<Reference>& references, const Draw& draw) {
   const StreamKey key(trial.seed, trial.claim);
-  return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-    for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      PhiloxStream<double> source(key, 0, first + i);
+  const auto draw_block = [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    const std::size_t n = channels[0].size();
+    for (std::size_t i = 0; i < n; i += lanes<Real>) {
+      PhiloxStream<Real> source(key, 0, first + i);
       const auto x = draw(source);
-      if constexpr (std::is_convertible_v<decltype(x), double>) {
-        channels[0][i] = x;
-      } else {
-        for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = x[static_cast<Eigen::Index>(c)];
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        std::array<double, lanes<Real>> values{};
+        store_lanes(detail::channel_of(x, c), values.data());
+        std::copy_n(values.begin(), std::min(lanes<Real>, n - i), channels[c].begin() + static_cast<long>(i));
       }
     }
-  });
+  };
+  return test_means(trial, rounded_references<Real>(references), draw_block);
 }
 
 /// Every draw equals the reference to within `ulps` units in the last place: an estimator without variance.
-template <class Draw>
+template <class Real = double, class Draw>
 Finding check_constant(const Trial& trial, double reference, int ulps, const Draw& draw) {
-  constexpr std::uint64_t draws = 100'000;
-  const double tolerance = ulps * std::numeric_limits<double>::epsilon();
+  constexpr std::uint64_t draws = 102'400;
+  const double tolerance = ulps * static_cast<double>(ulp<Real>);
   const StreamKey key(trial.seed, trial.claim);
   Finding finding{.verdict = Verdict::certified, .guarantee = Guarantee::deterministic, .margin = tolerance};
-  for (finding.draws = 0; finding.draws < draws; ++finding.draws) {
-    PhiloxStream<double> source(key, 0, finding.draws);
-    const double error = draw(source) / reference - 1;
-    if (!(std::abs(error) <= std::abs(finding.bias))) finding.bias = error;
-    finding.interval = {std::min(finding.interval.lo, error), std::max(finding.interval.hi, error)};
-    if (std::abs(error) <= tolerance) continue;
-    finding.verdict = Verdict::biased;
-    finding.note =
-        "draw " + std::to_string(finding.draws) + " is off by " + std::to_string(error / tolerance * ulps) + " ulp";
-    return finding;
+  for (std::uint64_t first = 0; first < draws; first += lanes<Real>) {
+    PhiloxStream<Real> source(key, 0, first);
+    std::array<double, lanes<Real>> values{};
+    store_lanes(draw(source), values.data());
+    for (double value : values) {
+      const double error = value / reference - 1;
+      ++finding.draws;
+      if (!(std::abs(error) <= std::abs(finding.bias))) finding.bias = error;
+      finding.interval = {std::min(finding.interval.lo, error), std::max(finding.interval.hi, error)};
+      if (std::abs(error) <= tolerance) continue;
+      finding.verdict = Verdict::biased;
+      finding.note = "draw " + std::to_string(finding.draws - 1) + " is off by " +
+                     std::to_string(error / tolerance * ulps) + " ulp";
+      return finding;
+    }
   }
   return finding;
 }
 
-/// A sampler's draws follow its density, and the density integrates to one over the domain.
+/// The draws of a sampler one by one, in order, though they are made a packet at a time.
+template <Sampler Law>
+class Draws {
+ public:
+  using Real = typename Law::Scalar;
+
+  Draws(const Law& law, const StreamKey& key) : law_(law), key_(key) {}
+
+  /// Draw i, in double; and the density that the law gives it.
+  auto point(std::uint64_t i) { return detail::lane_of(packet(i).point, i % lanes<Real>); }
+  double density(std::uint64_t i) { return detail::lane_of(packet(i).density, i % lanes<Real>); }
+
+ private:
+  struct Made {
+    std::uint64_t number;
+    typename Law::Point point;
+    Real density;
+  };
+
+  const Made& packet(std::uint64_t i) {
+    if (made_.empty() || made_[0].number != i / lanes<Real>) {
+      PhiloxStream<Real> source(key_, 0, i - i % lanes<Real>);
+      const typename Law::Point x = law_.sample(next_pair<Real>(source));
+      made_.assign(1, {i / lanes<Real>, x, law_.pdf(x).value()});
+    }
+    return made_[0];
+  }
+
+  Law law_;
+  StreamKey key_;
+  std::vector<Made> made_;
+};
+
+/// A sampler's draws follow its density, which integrates to one over the domain.
 template <Sampler Law, class Domain>
 Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
-  const StreamKey key(trial.seed, trial.claim);
+  Draws<Law> draws(law, StreamKey(trial.seed, trial.claim));
   return test_law(
       trial, domain, [&](const typename Law::Point& x) { return law.pdf(x).value(); },
-      [&](std::uint64_t i) {
-        PhiloxStream<double> source(key, 0, i);
-        return typename Law::Point(law.sample(next_pair<double>(source)));
-      });
+      [&](std::uint64_t i) { return typename Law::Point(draws.point(i)); });
 }
 
-/// The same by bounded moments of the Rosenblatt transform: exact, and blind to fine waves.
-template <Sampler Law, class Domain>
-Finding check_law_moments(const Trial& trial, const Law& law, const Domain& domain) {
-  const StreamKey key(trial.seed, trial.claim);
+/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact, and
+/// blind to fine waves.
+template <Sampler Drawn, Sampler Law, class Domain>
+Finding check_law_moments(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain) {
+  Draws<Drawn> draws(drawn, StreamKey(trial.seed, trial.claim));
   return test_rosenblatt(
       trial, [&](double s, double t) { return law.pdf(domain.at(s, t)).value() * domain.size(); },
-      [&](std::uint64_t i) {
-        PhiloxStream<double> source(key, 0, i);
-        return domain.coordinates(law.sample(next_pair<double>(source)));
-      });
+      [&](std::uint64_t i) { return domain.coordinates(draws.point(i)); });
+}
+
+/// Two arithmetics give the draws of the first the same density: the ratio has the mean 1, and is nowhere above 2.
+template <Sampler Drawn, Sampler Law>
+Finding check_density(const Trial& trial, const Drawn& drawn, const Law& law) {
+  Draws<Drawn> draws(drawn, StreamKey(trial.seed, trial.claim));
+  const Reference reference{.mean = 1,
+                            .lower = 0,
+                            .upper = 2,
+                            .sides = Sides::both,
+                            .rounding = arithmetic_rounding<typename Drawn::Scalar>};
+  return test_means(trial, {reference}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    for (std::size_t i = 0; i < channels[0].size(); ++i) {
+      channels[0][i] = draws.density(first + i) / law.pdf(typename Law::Point(draws.point(first + i))).value();
+    }
+  });
 }
 
 }  // namespace fairlight

@@ -18,7 +18,8 @@ struct Claim {
   std::string source;                 ///< where the answer comes from
   double margin_factor;               ///< its margin, in units of the run's: 1, or more where 1 would take too long
   std::function<Finding(const Trial&)> check;
-  double weight = 1;  ///< its share of the budget is weight / the sum of all weights
+  std::string real = "double";  ///< the arithmetic: double | packet
+  double weight = 1;            ///< its share of the budget is weight / the sum of all weights
 };
 
 }  // namespace fairlight

@@ -1,52 +1,103 @@
 #pragma once
 
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/sphere_light.h>
 #include <fairlight/stats/domains.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/experiment.h>
 
 namespace fairlight {
 
-/// The row that says: this sampler's draws follow its density, which integrates to one.
-/// The margin is a relative L2 distance of laws, five times that of a mean.
-template <Sampler Law, class Domain>
-Claim law_claim(const std::string& name, const std::string& subject, const std::string& source, const Law& law,
-                const Domain& domain) {
-  return {name + ".law",
-          "law",
-          {subject},
-          "the draws follow the stated density, which integrates to one",
-          source,
-          5,
-          [=](const Trial& trial) { return check_law(trial, law, domain); }};
+/// The rows that say of a sampler: its draws follow its density, which integrates to one. `make(type_identity<Real>)`
+/// gives the sampler in an arithmetic; the density that packets are held to is that of double.
+template <class Make, class Domain>
+struct LawExperiment {
+  std::string name, subject, source;
+  Make make;
+  Domain domain;
+
+  template <class Real>
+  auto law() const {
+    return make(std::type_identity<Real>{});
+  }
+};
+
+/// By chi-square. The margin is a relative L2 distance of laws, five times that of a mean.
+template <class Make, class Domain>
+Claim law_claim(const LawExperiment<Make, Domain>& e) {
+  return {.name = e.name + ".law",
+          .kind = "law",
+          .subjects = {e.subject},
+          .statement = "the draws follow the stated density, which integrates to one",
+          .source = e.source,
+          .margin_factor = 5,
+          .check = [e](const Trial& trial) { return check_law(trial, e.template law<double>(), e.domain); }};
 }
 
-/// The row that says the same exactly, by bounded moments; its margin is ten times that of a mean.
-template <Sampler Law, class Domain>
-Claim law_moments_claim(const std::string& name, const std::string& subject, const std::string& source,
-                        const Law& law, const Domain& domain) {
-  return {name + ".moments",
-          "law",
-          {subject},
-          "the Rosenblatt transform of the draws has the cosine moments of the uniform law, up to the third",
-          source,
-          10,
-          [=](const Trial& trial) { return check_law_moments(trial, law, domain); }};
+/// By bounded moments, exactly; the margin is ten times that of a mean.
+template <class Real = double, class Make, class Domain>
+Claim law_moments_claim(const LawExperiment<Make, Domain>& e) {
+  return {.name = e.name + ".moments" + real_suffix<Real>(),
+          .kind = "law",
+          .subjects = {e.subject},
+          .statement =
+              "the Rosenblatt transform of the draws has the cosine moments of the uniform law, up to the third",
+          .source = e.source,
+          .margin_factor = 10,
+          .check =
+              [e](const Trial& trial) {
+                return check_law_moments(trial, e.template law<Real>(), e.template law<double>(), e.domain);
+              },
+          .real = real_name<Real>()};
 }
 
-/// Both.
-template <Sampler Law, class Domain>
-void add_law(std::vector<Claim>& claims, const std::string& name, const std::string& subject,
-             const std::string& source, const Law& law, const Domain& domain) {
-  claims.push_back(law_claim(name, subject, source, law, domain));
-  claims.push_back(law_moments_claim(name, subject, source, law, domain));
+/// A packet's density is that of double, at the packet's draws.
+template <class Make, class Domain>
+Claim density_claim(const LawExperiment<Make, Domain>& e) {
+  return {.name = e.name + ".density.packet",
+          .kind = "law",
+          .subjects = {e.subject},
+          .statement = "the density in packets is that in double: their ratio has the mean 1",
+          .source = e.source,
+          .margin_factor = 1,
+          .check =
+              [e](const Trial& trial) {
+                return check_density(trial, e.template law<Packet>(), e.template law<double>());
+              },
+          .real = "packet"};
+}
+
+/// All of them.
+template <class Make, class Domain>
+void add_law(std::vector<Claim>& claims, const LawExperiment<Make, Domain>& e) {
+  claims.push_back(law_claim(e));
+  claims.push_back(law_moments_claim<double>(e));
+  claims.push_back(law_moments_claim<Packet>(e));
+  claims.push_back(density_claim(e));
+}
+
+/// Uniform points on a sphere of radius 2.5.
+template <template <class> class Points>
+auto sphere_area_law() {
+  return LawExperiment{"sphere_light.area", "UniformSphereArea", "Archimedes",
+                       []<class Real>(std::type_identity<Real>) { return Points<Real>(Real(2.5)); },
+                       SphereDomain{2.5}};
+}
+
+/// Cosine-weighted directions.
+template <template <class> class Directions>
+auto cosine_law() {
+  return LawExperiment{"hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3",
+                       []<class Real>(std::type_identity<Real>) { return Directions<Real>{}; }, HemisphereDomain{}};
 }
 
 /// Pairs of numbers of a stream, as they come: uniform on the unit square.
+template <class Real>
 struct StreamPairs {
-  using Scalar = double;
-  using Point = Vec2<double>;
+  using Scalar = Real;
+  using Point = Vec2<Real>;
   using Measure = UnitCube;
-  Point sample(const Vec2<double>& u) const { return u; }
-  Density<Measure, double> pdf(const Point&) const { return Density<Measure, double>(1); }
+  Point sample(const Vec2<Real>& u) const { return u; }
+  Density<Measure, Real> pdf(const Point&) const { return Density<Measure, Real>(Real(1)); }
 };
 
 }  // namespace fairlight

@@ -20,28 +20,31 @@ using One = DirectLight<OneOf>;
 using Roulette = RouletteByReflectance<>;
 
 void add_laws(std::vector<Claim>& claims) {
-  add_law(claims, "stream.philox", "PhiloxStream", "Salmon et al. 2011", StreamPairs{}, SquareDomain{0, 1});
-  add_law(claims, "hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2", UniformHemisphere<double>{},
-          HemisphereDomain{});
-  add_law(claims, "hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3", CosineHemisphere<double>{},
-          HemisphereDomain{});
-  add_law(claims, "sphere_light.area", "UniformSphereArea", "Archimedes", UniformSphereArea<double>(2.5),
-          SphereDomain{2.5});
-  add_law(claims, "filter.tent", "TentFilter", "Ernst, Stamminger, Greiner 2006", TentFilter<double>{},
-          SquareDomain{-1, 1});
+  add_law(claims, LawExperiment{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
+                                []<class Real>(std::type_identity<Real>) { return StreamPairs<Real>{}; },
+                                SquareDomain{0, 1}});
+  add_law(claims, LawExperiment{"hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2",
+                                []<class Real>(std::type_identity<Real>) { return UniformHemisphere<Real>{}; },
+                                HemisphereDomain{}});
+  add_law(claims, cosine_law<CosineHemisphere>());
+  add_law(claims, sphere_area_law<UniformSphereArea>());
+  add_law(claims, LawExperiment{"filter.tent", "TentFilter", "Ernst, Stamminger, Greiner 2006",
+                                []<class Real>(std::type_identity<Real>) { return TentFilter<Real>{}; },
+                                SquareDomain{-1, 1}});
 }
 
 void add_components(std::vector<Claim>& claims) {
   constexpr double tau = 2 * std::numbers::pi;
-  claims.push_back(
-      hemisphere_integral<UniformHemisphere>("importance.uniform.cosine", "UniformHemisphere", 1, tau));
-  claims.push_back(
-      hemisphere_integral<CosineHemisphere>("importance.cosine.cosine_squared", "CosineHemisphere", 2, tau / 2));
-  claims.push_back(lambertian_albedo<UniformHemisphere>("lambertian.uniform.albedo", "UniformHemisphere"));
-  claims.push_back(lambertian_constant());
-  claims.push_back(roulette_integral<RussianRoulette>("roulette.integral", 0.3));
-  claims.push_back(two_dice<AllOf>("pick.all.dice", {"AllOf"}));
-  claims.push_back(two_dice<OneOf>("pick.one.dice", {"OneOf", "UniformChoice"}));
+  add_mean(claims,
+           hemisphere_integral<UniformHemisphere>("importance.uniform.cosine", "UniformHemisphere", 1, tau));
+  add_mean(claims, hemisphere_integral<CosineHemisphere>("importance.cosine.cosine_squared", "CosineHemisphere", 2,
+                                                         tau / 2));
+  add_mean(claims, lambertian_albedo<UniformHemisphere>("lambertian.uniform.albedo", "UniformHemisphere"));
+  claims.push_back(lambertian_constant<double>());
+  claims.push_back(lambertian_constant<Packet>());
+  add_mean(claims, roulette_integral<RussianRoulette>("roulette.integral", 0.3));
+  add_mean(claims, two_dice<AllOf>("pick.all.dice", {"AllOf"}));
+  add_mean(claims, two_dice<OneOf>("pick.one.dice", {"OneOf", "UniformChoice"}));
 }
 
 void add_furnaces(std::vector<Claim>& claims) {

@@ -60,7 +60,8 @@ nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conform
                       {"interval", {finding.interval.lo, finding.interval.hi}},
                       {"samples", finding.draws},
                       {"seconds", claim_seconds},
-                      {"real", "double"},
+                      {"real", claim->real},
+                      {"rounding", finding.rounding},
                       {"note", finding.note},
                       {"replay", replay(claim->name, conformance)}});
   }

@@ -21,10 +21,9 @@ Fault theta_uniform() {
   return {"sphere-theta-uniform",
           "Montelight",
           "Smerity/montelight-cpp",
-          {law_claim("sphere_light.area", "UniformSphereArea", "", faults::ThetaUniformSphere<double>(2.5),
-                     SphereDomain{2.5}),
-           law_moments_claim("sphere_light.area", "UniformSphereArea", "", faults::ThetaUniformSphere<double>(2.5),
-                             SphereDomain{2.5}),
+          {law_claim(sphere_area_law<faults::ThetaUniformSphere>()),
+           law_moments_claim(sphere_area_law<faults::ThetaUniformSphere>()),
+           law_moments_claim<Packet>(sphere_area_law<faults::ThetaUniformSphere>()),
            floor_claim<Tracer<DirectLight<AllOf, faults::ThetaUniformSphere>, NoRoulette>>(
                "sphere_over_plane.light", {}, one_light(), 1, all_terms)}};
 }
@@ -33,7 +32,8 @@ Fault unpaid_roulette() {
   return {"roulette-unpaid",
           "roulette unpaid",
           "openmc #3511; chunky #1018; Montelight",
-          {roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3),
+          {mean_claim(roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3)),
+           mean_claim<Packet>(roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3)),
            furnace_claim<Tracer<NoDirectLight, Unpaid>>("furnace.bounce", {}),
            furnace_claim<Tracer<All, Unpaid>>("furnace.light", {}),
            roulette_on_against_off<Tracer<All, Unpaid>, Tracer<All, NoRoulette>>("cornell.roulette")}};
@@ -44,19 +44,20 @@ Fault unweighted_light() {
   return {"one-light-unweighted",
           "luminaire probability",
           "LuxCore #68",
-          {two_dice<faults::OneUnweighted>("pick.one.dice", {}),
+          {mean_claim(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
+           mean_claim<Packet>(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
            floor_claim<Wrong>("two_lights.one", {}, two_lights(), 1, all_terms),
            one_against_all<Wrong, Tracer<All, NoRoulette>>("two_lights.one_against_all")}};
 }
 
 Fault steep_cosine() {
-  return {"cosine-exponent-2-percent",
-          "cosine sampler",
-          "raytracing.github.io #145",
-          {law_claim("hemisphere.cosine", "CosineHemisphere", "", faults::SteepCosineHemisphere<double>{},
-                     HemisphereDomain{}),
-           hemisphere_integral<faults::SteepCosineHemisphere>("importance.cosine.cosine_squared", "", 2,
-                                                              std::numbers::pi)}};
+  const auto integral = hemisphere_integral<faults::SteepCosineHemisphere>("importance.cosine.cosine_squared", "",
+                                                                           2, std::numbers::pi);
+  return {
+      "cosine-exponent-2-percent",
+      "cosine sampler",
+      "raytracing.github.io #145",
+      {law_claim(cosine_law<faults::SteepCosineHemisphere>()), mean_claim(integral), mean_claim<Packet>(integral)}};
 }
 
 Fault emission_twice() {

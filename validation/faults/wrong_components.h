@@ -17,7 +17,9 @@ struct ThetaUniformSphere : UniformSphereArea<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const {
     const Real theta = pi<Real> * u.x();
     const Real phi = Real(2) * pi<Real> * u.y();
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    using std::cos;
+    using std::sin;
+    return {sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)};
   }
 };
 
@@ -25,8 +27,10 @@ struct ThetaUniformSphere : UniformSphereArea<Real> {
 template <class Real>
 struct SteepCosineHemisphere : CosineHemisphere<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const {
-    const Real z = std::pow(Real(1) - u.x(), Real(1 / 2.02));
-    return detail::direction_at(z, Real(std::sqrt((Real(1) - z) * (Real(1) + z))), u.y());
+    using std::pow;
+    using std::sqrt;
+    const Real z = pow(Real(1) - u.x(), rounded<Real>(1 / 2.02));
+    return detail::direction_at(z, Real(sqrt((Real(1) - z) * (Real(1) + z))), u.y());
   }
 };
 
