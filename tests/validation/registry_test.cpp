@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -25,10 +26,13 @@ TEST(Registry, SaysOfEveryClaimWhatItIsAndWhereItComesFrom) {
 TEST(SelectClaims, TakesAllByDefault) { EXPECT_EQ(select_claims({}).size(), registry().size()); }
 
 TEST(SelectClaims, TakesNamesFirstPartsAndPatterns) {
+  const auto count = [](const auto& wanted) { return std::ranges::count_if(registry(), wanted); };
   EXPECT_EQ(select_claims({"hemisphere.cosine.law"}).size(), 1u);
-  EXPECT_EQ(select_claims({"hemisphere"}).size(), 4u);
-  EXPECT_EQ(select_claims({"*.law"}).size(), 5u);
-  EXPECT_EQ(select_claims({"hemisphere", "hemisphere.cosine.law"}).size(), 4u);
+  const auto hemispheres = count([](const Claim& claim) { return claim.name.starts_with("hemisphere."); });
+  EXPECT_EQ(std::ssize(select_claims({"hemisphere"})), hemispheres);
+  EXPECT_EQ(std::ssize(select_claims({"hemisphere", "hemisphere.cosine.law"})), hemispheres);
+  EXPECT_EQ(std::ssize(select_claims({"*.law"})),
+            count([](const Claim& claim) { return claim.name.ends_with(".law"); }));
 }
 
 TEST(SelectClaims, NamesTheClaimsThatExistWhenNoneMatches) {

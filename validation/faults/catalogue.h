@@ -17,4 +17,13 @@ struct Fault {
 
 const std::vector<Fault>& fault_catalogue();
 
+/// Its parts, each in a file of its own.
+std::vector<Fault> microfacet_faults();
+std::vector<Fault> material_faults();
+std::vector<Fault> light_faults();
+std::vector<Fault> combinator_faults();
+std::vector<Fault> random_faults();
+std::vector<Fault> camera_faults();
+std::vector<Fault> allocation_faults();
+
 }  // namespace fairlight

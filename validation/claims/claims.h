@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include <fairlight/validation/claim.h>
+
+namespace fairlight {
+
+/// The rows of the registry, by what they are about; each adds its own.
+void add_direction_claims(std::vector<Claim>& claims);
+void add_microfacet_claims(std::vector<Claim>& claims);
+void add_material_claims(std::vector<Claim>& claims);
+void add_light_claims(std::vector<Claim>& claims);
+void add_combinator_claims(std::vector<Claim>& claims);
+void add_random_claims(std::vector<Claim>& claims);
+void add_camera_claims(std::vector<Claim>& claims);
+void add_allocation_claims(std::vector<Claim>& claims);
+void add_second_order_claims(std::vector<Claim>& claims);
+void add_scene_claims(std::vector<Claim>& claims);
+
+}  // namespace fairlight
