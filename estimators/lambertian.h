@@ -1,36 +1,33 @@
 #pragma once
 
-#include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/bsdf.h>
 #include <fairlight/estimators/hemisphere.h>
 
 namespace fairlight {
 
-/// A diffuse surface, seen from the side of its local +z.
+/// A diffuse surface.
 /// Formula  f = albedo / pi, without the cosine; sampled by Directions
 /// Measure  f in 1/sr; the density is that of Directions, in solid angle
-/// Domain   incoming and outgoing directions with z > 0; f is 0 elsewhere; albedo in [0,1] per channel
+/// Domain   directions with z > 0; f is 0 elsewhere; albedo in [0,1] per channel
 /// Random   u in [0,1)^2
 /// Source   Lambert 1760; the paper, 3.1
 template <class Real, template <class> class Directions = CosineHemisphere>
 class Lambertian {
  public:
-  struct Bounce {
-    Vec3<Real> direction;  ///< local, unit
-    Rgb<Real> weight;      ///< f cos / p
-  };
+  using Scalar = Real;
+  static constexpr int dimensions = 2;
 
   explicit Lambertian(const Rgb<Real>& albedo) : albedo_(albedo) {}
 
-  /// The BRDF for light from the direction w (local, unit).
-  Rgb<Real> eval(const Vec3<Real>& w) const {
-    return albedo_ * select(w.z() > Real(0), Real(1) / pi<Real>, Real(0));
+  Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {
+    return albedo_ * select(out.z() > Real(0) && in.z() > Real(0), Real(Real(1) / pi<Real>), Real(0));
   }
 
-  Density<SolidAngle, Real> pdf(const Vec3<Real>& w) const { return directions_.pdf(w); }
+  Density<SolidAngle, Real> pdf(const Vec3<Real>&, const Vec3<Real>& in) const { return directions_.pdf(in); }
 
-  Bounce sample(const Vec2<Real>& u) const {
-    const Vec3<Real> w = directions_.sample(u);
-    return {w, Rgb<Real>(eval(w) * w.z() / pdf(w))};
+  Bounce<Real> sample(const Vec3<Real>& out, const Vec2<Real>& u) const {
+    const Vec3<Real> in = directions_.sample(u);
+    return {in, Rgb<Real>(eval(out, in) * in.z() / pdf(out, in)), pdf(out, in)};
   }
 
  private:

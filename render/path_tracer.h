@@ -12,20 +12,26 @@ namespace fairlight {
 template <class Real, template <class> class Directions>
 class SurfaceBsdf {
  public:
-  SurfaceBsdf(const Rgb<Real>& albedo, const Vec3<Real>& normal) : material_(albedo), frame_(normal) {}
+  /// `out`: towards the viewer, in the world.
+  SurfaceBsdf(const Rgb<Real>& albedo, const Vec3<Real>& normal, const Vec3<Real>& out)
+      : material_(albedo), frame_(normal), out_(frame_.to_local(out)) {}
 
   /// The BRDF [1/sr], without the cosine; 0 below the surface.
-  Rgb<Real> eval_world(const Vec3<Real>& direction) const { return material_.eval(frame_.to_local(direction)); }
+  Rgb<Real> eval_world(const Vec3<Real>& direction) const {
+    return material_.eval(out_, frame_.to_local(direction));
+  }
 
-  typename Lambertian<Real, Directions>::Bounce sample_world(const Vec2<Real>& u) const {
-    auto bounce = material_.sample(u);
-    bounce.direction = frame_.to_world(bounce.direction);
+  /// A bounce whose direction is in the world.
+  Bounce<Real> sample_world(const Vec2<Real>& u) const {
+    Bounce<Real> bounce = material_.sample(out_, u);
+    bounce.in = frame_.to_world(bounce.in);
     return bounce;
   }
 
  private:
   Lambertian<Real, Directions> material_;
   Frame<Real> frame_;
+  Vec3<Real> out_;
 };
 
 /// Radiance along a ray by following one path: emission, light from the luminaires, and what is reflected, each
@@ -59,7 +65,7 @@ class PathTracer {
       if (depth == max_depth_) return sum;
 
       const Vertex<Real> vertex = vertex_at(surface.shape, hit, ray);
-      const SurfaceBsdf<Real, Directions> bsdf(surface.albedo, vertex.normal);
+      const SurfaceBsdf<Real, Directions> bsdf(surface.albedo, vertex.normal, -ray.direction);
       sum += throughput * Direct::template estimate<Real>(scene, vertex, bsdf, source);
 
       if (depth + 1 == max_depth_ && !Direct::counts_emission(max_depth_)) return sum;
@@ -69,7 +75,7 @@ class PathTracer {
       const auto bounce = bsdf.sample_world(next_pair<Real>(source));
       throughput *= bounce.weight * weight;
       if ((throughput == Real(0)).all()) return sum;
-      ray = {vertex.position, bounce.direction, hit.surface};
+      ray = {vertex.position, bounce.in, hit.surface};
     }
   }
 

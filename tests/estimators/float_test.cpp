@@ -44,7 +44,7 @@ TEST(SinglePrecision, KeepsOffsetsInTheTent) {
 
 TEST(SinglePrecision, WeighsACosineBounceByTheAlbedo) {
   for (const Vec2<float>& u : edges()) {
-    const auto bounce = Lambertian<float>(Rgb<float>(0.75f, 0.5f, 0.25f)).sample(u);
+    const auto bounce = Lambertian<float>(Rgb<float>(0.75f, 0.5f, 0.25f)).sample({0, 0, 1}, u);
     EXPECT_LE((bounce.weight - Rgb<float>(0.75f, 0.5f, 0.25f)).abs().maxCoeff(), 2 * epsilon) << u.transpose();
   }
 }

@@ -10,17 +10,21 @@ namespace fairlight {
 namespace {
 
 const Rgb<double> albedo(0.75, 0.5, 0.25);
+const Vec3<double> up(0, 0, 1);
+
+static_assert(Bsdf<Lambertian<double>>);
+static_assert(Bsdf<Lambertian<Packet, UniformHemisphere>>);
 
 TEST(Lambertian, ReflectsAlbedoOverPi) {
   const Lambertian<double> surface(albedo);
-  EXPECT_TRUE(surface.eval({0, 0, 1}).isApprox(albedo / M_PI, 1e-15));
-  EXPECT_TRUE(surface.eval({0, 0.8, 0.6}).isApprox(albedo / M_PI, 1e-15));
-  EXPECT_TRUE((surface.eval({0, 0.8, -0.6}) == 0).all());
+  EXPECT_TRUE(surface.eval(up, {0, 0, 1}).isApprox(albedo / M_PI, 1e-15));
+  EXPECT_TRUE(surface.eval(up, {0, 0.8, 0.6}).isApprox(albedo / M_PI, 1e-15));
+  EXPECT_TRUE((surface.eval(up, {0, 0.8, -0.6}) == 0).all());
 }
 
 TEST(Lambertian, WeighsAUniformBounceTwiceTheCosine) {
   const Lambertian<double, UniformHemisphere> surface(albedo);
-  const auto bounce = surface.sample({0.25, 0.5});
+  const auto bounce = surface.sample(up, {0.25, 0.5});
   EXPECT_TRUE(bounce.weight.isApprox(albedo * 0.5, 1e-15));
 }
 
@@ -28,9 +32,8 @@ template <template <class> class Directions>
 void check_weight() {
   rc::check([] {
     const Lambertian<double, Directions> surface(albedo);
-    const auto bounce = surface.sample(*testing::unit_point());
-    const Rgb<double> expected =
-        surface.eval(bounce.direction) * bounce.direction.z() / surface.pdf(bounce.direction);
+    const auto bounce = surface.sample(up, *testing::unit_point());
+    const Rgb<double> expected = surface.eval(up, bounce.in) * bounce.in.z() / bounce.density.value();
     RC_ASSERT((bounce.weight - expected).abs().maxCoeff() <= 1e-15);
   });
 }
@@ -42,8 +45,8 @@ TEST(Lambertian, WeighsABounceByReflectanceCosineAndDensity) {
 
 TEST(Lambertian, GivesFiniteWeightsAtTheEdgesOfTheSquare) {
   for (const Vec2<double>& u : testing::edge_points()) {
-    EXPECT_TRUE(Lambertian<double>(albedo).sample(u).weight.isApprox(albedo, 1e-15)) << u.transpose();
-    const auto uniform = Lambertian<double, UniformHemisphere>(albedo).sample(u);
+    EXPECT_TRUE(Lambertian<double>(albedo).sample(up, u).weight.isApprox(albedo, 1e-15)) << u.transpose();
+    const auto uniform = Lambertian<double, UniformHemisphere>(albedo).sample(up, u);
     EXPECT_TRUE((uniform.weight >= 0).all() && (uniform.weight <= 2).all()) << u.transpose();
   }
 }

@@ -19,7 +19,7 @@ const Rgb<double> lit(3, 3, 3);
 struct Floor {
   Scene scene;
   Vertex<double> vertex{{0, 0, 0}, {0, 1, 0}, 0};
-  Bsdf bsdf{half, {0, 1, 0}};
+  Bsdf bsdf{half, {0, 1, 0}, {0, 1, 0}};
   Floor() {
     scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
     scene.add_sphere({0, 5, 0}, 1, black, lit);
@@ -62,7 +62,7 @@ TEST(DirectLight, SeesTheLuminaireThatItIsInside) {
   const Vertex<double> vertex{{0, -2, 0}, {0, 1, 0}, 0};
   for (double u : {0.1, 0.4, 0.9}) {
     ScriptedSource source({u, 0.3});
-    const Rgb<double> radiance = DirectLight<AllOf>::estimate(furnace, vertex, Bsdf(half, {0, 1, 0}), source);
+    const Rgb<double> radiance = DirectLight<AllOf>::estimate(furnace, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source);
     EXPECT_NEAR(radiance[0], 0.5 * 3, 1e-14) << u;
   }
 }
@@ -72,7 +72,7 @@ TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
   alone.add_sphere({0, 0, 0}, 2, half, lit);
   const Vertex<double> vertex{{0, 2, 0}, {0, 1, 0}, 0};
   ScriptedSource source({0.5, 0.3});
-  EXPECT_TRUE((DirectLight<AllOf>::estimate(alone, vertex, Bsdf(half, {0, 1, 0}), source) == 0).all());
+  EXPECT_TRUE((DirectLight<AllOf>::estimate(alone, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source) == 0).all());
 }
 
 TEST(CountsEmission, OnlyWhereNoShadowRayHasCountedIt) {

@@ -61,7 +61,7 @@ auto lambertian_albedo(const std::string& name, const std::string& subject) {
   constexpr double albedo = 0.75;
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
     const Lambertian<Real, Directions> surface(Rgb<Real>::Constant(Real(albedo)));
-    return Real(surface.sample(next_pair<Real>(source)).weight[0]);
+    return Real(surface.sample({Real(0), Real(0), Real(1)}, next_pair<Real>(source)).weight[0]);
   };
   return Experiment{name,
                     {"Lambertian", subject},
@@ -86,7 +86,7 @@ Claim lambertian_constant() {
                 constexpr double albedo = 0.75;
                 const Lambertian<Real> surface(Rgb<Real>::Constant(Real(albedo)));
                 return check_constant<Real>(trial, albedo, 4, [&](auto& source) {
-                  return Real(surface.sample(next_pair<Real>(source)).weight[0]);
+                  return Real(surface.sample({Real(0), Real(0), Real(1)}, next_pair<Real>(source)).weight[0]);
                 });
               },
           .real = real_name<Real>()};
