@@ -30,6 +30,10 @@ struct Experiment {
   Draw draw;                          ///< draw(std::type_identity<Real>, source) gives a Real or an Rgb<Real>
 };
 
+template <class Draw>
+Experiment(std::string, std::vector<std::string>, std::string, std::string, double, std::vector<Reference>, Draw)
+    -> Experiment<Draw>;
+
 /// The row of the registry for the mean of an experiment, from independent numbers.
 template <class Real = double, class Draw>
 Claim mean_claim(const Experiment<Draw>& e) {

@@ -26,7 +26,7 @@ void draw(benchmark::State& state, const Law& law) {
     }
     benchmark::DoNotOptimize(sum);
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * draws));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(draws));
 }
 
 template <class Make>
