@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -40,6 +41,45 @@ TEST(CheckMean, NamesADrawThatIsOutOfItsRange) {
     EXPECT_EQ(finding.verdict, Verdict::biased) << wrong;
     EXPECT_NE(finding.note.find("draw 0"), std::string::npos) << finding.note;
   }
+}
+
+// In packets a bias of the arithmetic's rounding, 5e-6, is no bias; one of 1e-3 is.
+TEST(CheckMean, AllowsPacketsTheirRounding) {
+  const Trial fine{"checks_test", 1, 1e-6, 0.01, 1e-3};
+  const auto off = [](float bias) { return [bias](auto&) { return Packet(2 * (1 + bias)); }; };
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(2e-6f)).verdict, Verdict::certified);
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(2e-3f)).verdict, Verdict::biased);
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(-2e-3f)).verdict, Verdict::biased);
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(0)).rounding, 5e-6);
+}
+
+TEST(CheckMean, DrawsEveryLane) {
+  const Trial fine{"checks_test", 1, 1e-6, 0.01, 1e-4};  // so that blocks grow beyond one lane
+  for (std::size_t lane = 0; lane < lanes<Packet>; ++lane) {
+    std::array<float, lanes<Packet>> values{};
+    values.fill(0.5f);
+    values[lane] = 100;
+    const auto draw = [&](auto&) { return Packet::load_unaligned(values.data()); };
+    const Finding finding = check_mean<Packet>(fine, {{0.5, 0, 1}}, draw);
+    EXPECT_NE(finding.note.find(" is 100 "), std::string::npos) << lane << ": " << finding.note;
+  }
+}
+
+// A cosine hemisphere in packets whose density is `factor` times too large.
+struct PacketHemisphere : CosineHemisphere<Packet> {
+  float factor;
+  explicit PacketHemisphere(float f) : factor(f) {}
+  Density<SolidAngle, Packet> pdf(const Vec3<Packet>& w) const {
+    return Density<SolidAngle, Packet>(factor * CosineHemisphere<Packet>::pdf(w).value());
+  }
+};
+
+TEST(CheckDensity, HoldsPacketsToDouble) {
+  const CosineHemisphere<double> law;
+  EXPECT_EQ(check_density(trial, PacketHemisphere(1), law).verdict, Verdict::certified);
+  EXPECT_EQ(check_density(trial, PacketHemisphere(1.1f), law).verdict, Verdict::biased);
+  EXPECT_EQ(check_density(trial, PacketHemisphere(0.9f), law).verdict, Verdict::biased);
+  EXPECT_EQ(check_density(trial, PacketHemisphere(3), law).verdict, Verdict::biased);
 }
 
 TEST(CheckConstant, AllowsAFewUlpAndNoMore) {
