@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
