@@ -12,11 +12,11 @@
 
 namespace fairlight {
 
-/// Point sets: n points of the unit cube, of as many dimensions as are asked for, that are better spread together than
-/// independent ones. A number is a function of (key, replicate, point, dimension), and of n. Every point alone is
-/// uniform and its dimensions are independent, so the mean of f over the points is unbiased for any n; but the points
-/// depend on each other, so the unit of any test is a whole replicate. A key that serves a point set serves no
-/// PhiloxStream: both count with the same counters.
+/// Point sets: n points of the unit cube, of as many dimensions as are asked for, that are better spread together
+/// than independent ones. A number is a function of (key, replicate, point, dimension), and of n. Every point alone
+/// is uniform and its dimensions are independent, so the mean of f over the points is unbiased for any n; but the
+/// points depend on each other, so the unit of any test is a whole replicate. A key that serves a point set serves
+/// no PhiloxStream: both count with the same counters.
 
 /// 32 bits, or as many of them as Real has lanes.
 template <class Real>
@@ -82,8 +82,8 @@ Word<Real> point_numbers(std::uint32_t first, std::uint32_t n) {
   }
 }
 
-/// A UniformSource: the numbers of one point of a set (for packets, of consecutive points), dimension after dimension.
-/// `set.pair(points, k)` gives dimensions 2k and 2k + 1.
+/// A UniformSource: the numbers of one point of a set (for packets, of consecutive points), dimension after
+/// dimension. `set.pair(points, k)` gives dimensions 2k and 2k + 1.
 /// Source   Owen 1998, "Latin supercube sampling", for replicates as the unit of randomness
 template <class Set>
 class PointSource {

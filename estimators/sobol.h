@@ -10,7 +10,8 @@ namespace fairlight {
 inline constexpr std::uint32_t sobol_dimensions = 64;
 
 /// Joe and Kuo's direction numbers: [dimension][k] is what bit k of a point's number contributes. They are read off
-/// Boost's engine, which counts in Gray code and skips point 0: its point 2^(k+1) - 1 has the code with bit k alone.
+/// Boost's engine, which counts in Gray code and skips point 0: its point 2^(k+1) - 1 has the code with bit k
+/// alone.
 inline const std::array<std::array<std::uint32_t, 32>, sobol_dimensions>& sobol_directions() {
   static const auto directions = [] {
     std::array<std::array<std::uint32_t, 32>, sobol_dimensions> matrix{};
@@ -47,11 +48,11 @@ W reverse_bits(W x) {
   return ((x & W(0xAAAAAAAAu)) >> 1) | ((x & W(0x55555555u)) << 1);
 }
 
-/// Owen's nested uniform scrambling of binary digits, by a hash: each digit is flipped or not, as the digits before it
-/// and the seeds say. On reversed bits these are the operations that carry upwards only. `shift` alone makes the law of
-/// a scrambled number uniform, exactly; the rest makes digits of numbers that have parted independent.
-/// Source: Owen 1995; Laine and Karras 2011; Burley 2020, "Practical hash-based Owen scrambling", section 3; constants
-/// by Vegdahl 2021, as in PBR 4ed, 8.6.3 (FastOwenScrambler), which takes shift and factor from one word.
+/// Owen's nested uniform scrambling of binary digits, by a hash: each digit is flipped or not, as the digits before
+/// it and the seeds say. On reversed bits these are the operations that carry upwards only. `shift` alone makes the
+/// law of a scrambled number uniform, exactly; the rest makes digits of numbers that have parted independent.
+/// Source: Owen 1995; Laine and Karras 2011; Burley 2020, "Practical hash-based Owen scrambling", section 3;
+/// constants by Vegdahl 2021, as in PBR 4ed, 8.6.3 (FastOwenScrambler), which takes shift and factor from one word.
 template <class W>
 W nested_scramble(W digits, std::uint32_t shift, std::uint32_t factor) {
   W x = reverse_bits(digits);
@@ -63,11 +64,11 @@ W nested_scramble(W digits, std::uint32_t shift, std::uint32_t factor) {
   return reverse_bits(x);
 }
 
-/// Sobol's points, Owen-scrambled: of 2^k points, one in each elementary interval as far as Sobol's sequence has it so,
-/// and uniform within. A number has 32 scrambled digits; in double 21 random ones follow, as the scrambling would go
-/// on, since points that differ have parted by then. Packets keep the first 24.
-/// Dimensions from 64 on come in fours, each four being the sequence's first, scrambled anew and in an order of its own:
-/// the points' numbers are scrambled too, so that aligned blocks of 2^k stay together.
+/// Sobol's points, Owen-scrambled: of 2^k points, one in each elementary interval as far as Sobol's sequence has it
+/// so, and uniform within. A number has 32 scrambled digits; in double 21 random ones follow, as the scrambling
+/// would go on, since points that differ have parted by then. Packets keep the first 24.
+/// Dimensions from 64 on come in fours, each four being the sequence's first, scrambled anew and in an order of its
+/// own: the points' numbers are scrambled too, so that aligned blocks of 2^k stay together.
 /// Formula  u_d = scramble_d(sobol_d(i)), with seeds for every (replicate, dimension)
 /// Measure  the unit cube
 /// Domain   n from 1 to 2^28 (throws std::invalid_argument otherwise); a power of two for the points to be a net

@@ -54,9 +54,9 @@ std::array<xsimd::batch<std::uint32_t, A>, 2> divide(const xsimd::batch<std::uin
   return {quotient, W(x - quotient * W(by))};
 }
 
-/// A number in [0,1), uniform in the stratum [stratum/n, (stratum+1)/n): with J the jitter's digits, the whole part of
-/// (stratum 2^53 + J) / n, by long division, times 2^-53. So it never reaches 1, and where all strata are as likely it
-/// is exactly uniform.
+/// A number in [0,1), uniform in the stratum [stratum/n, (stratum+1)/n): with J the jitter's digits, the whole part
+/// of (stratum 2^53 + J) / n, by long division, times 2^-53. So it never reaches 1, and where all strata are as
+/// likely it is exactly uniform.
 inline double in_stratum(std::uint32_t stratum, std::uint32_t n, std::uint32_t high, std::uint32_t low) {
   const std::uint64_t first = (std::uint64_t{stratum} << 32) | high;
   const std::uint64_t rest = ((first % n) << 21) | (low >> 11);

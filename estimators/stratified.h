@@ -6,10 +6,10 @@
 
 namespace fairlight {
 
-/// Jittered strata: every pair of dimensions has a grid of its own, of columns = ceil(sqrt n) by rows = ceil(n / columns)
-/// cells, and the n points lie in n of them, in an order that is random and independent for each pair. When n fills the
-/// grid every cell has its point; otherwise fewer than `columns` cells, chosen at random, stay empty. A point's cell is
-/// any cell, each as likely, so it is uniform for every n.
+/// Jittered strata: every pair of dimensions has a grid of its own, of columns = ceil(sqrt n) by rows = ceil(n /
+/// columns) cells, and the n points lie in n of them, in an order that is random and independent for each pair.
+/// When n fills the grid every cell has its point; otherwise fewer than `columns` cells, chosen at random, stay
+/// empty. A point's cell is any cell, each as likely, so it is uniform for every n.
 /// Formula  (u_2k, u_2k+1) = ((column, row) + jitter) / (columns, rows), with row columns + column = pi_k(i)
 /// Measure  the unit cube
 /// Domain   any n from 1 to 2^28 (throws std::invalid_argument otherwise)
@@ -34,19 +34,13 @@ class Stratified {
   /// Dimensions 2k and 2k + 1 of points.
   std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
     const auto seeds = replicate_.shared(k);
-    return in_cell(permute(points, columns_ * rows_, seeds[0], seeds[1]), replicate_.own(points, k));
-  }
-
- protected:
-  /// A place in a cell of the grid.
-  std::array<Real, 2> in_cell(const Word<Real>& cell, const std::array<Word<Real>, 4>& jitter) const {
-    const auto [row, column] = divide(cell, columns_);
+    const auto jitter = replicate_.own(points, k);
+    const auto [row, column] = divide(permute(points, columns_ * rows_, seeds[0], seeds[1]), columns_);
     return {in_stratum(column, columns_, jitter[0], jitter[1]), in_stratum(row, rows_, jitter[2], jitter[3])};
   }
 
-  Replicate replicate_;
-
  private:
+  Replicate replicate_;
   std::uint32_t n_, columns_, rows_;
 };
 

@@ -86,9 +86,9 @@ Finding check_mean(const Trial& trial, const std::vector<Reference>& references,
   return test_means(trial, rounded_references<Real>(references), draw_block);
 }
 
-/// How many points a replicate has that is tested. The core test's need of replicates, about 5 range / (margin mean), does not
-/// fall with their variance, so they are small; and a power of two, for Sobol's points to be a net.
-inline constexpr std::uint32_t points_a_replicate = 16;
+/// How many points a replicate has that is tested: a power of two, for Sobol's points to be a net, and few, since
+/// the core test needs some 5 range / (margin mean) replicates however little they vary.
+inline constexpr std::uint32_t points_a_replicate = 64;
 
 /// The mean of an estimator over the points of one replicate of a set.
 template <PointSet Set, class Draw>
@@ -103,8 +103,8 @@ auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t
   return decltype(total)(total / static_cast<double>(n));
 }
 
-/// The mean of an estimator from a point set, in double: whole replicates are the draws of the core test. Their range is
-/// that of the estimator, but for the n roundings of the sum.
+/// The mean of an estimator from a point set, in double: whole replicates are the draws of the core test. Their
+/// range is that of the estimator, but for the n roundings of the sum.
 template <PointSet Set, class Draw>
 Finding check_replicates(const Trial& trial, std::vector<Reference> references, const Draw& draw,
                          std::uint32_t n = points_a_replicate) {
@@ -190,8 +190,8 @@ Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
       [&](std::uint64_t i) { return typename Law::Point(draws.point(i)); });
 }
 
-/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact, and
-/// blind to fine waves.
+/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact,
+/// and blind to fine waves.
 template <Sampler Drawn, Sampler Law, class Domain>
 Finding check_law_moments(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain) {
   Draws<Drawn> draws(drawn, StreamKey(trial.seed, trial.claim));

@@ -74,8 +74,8 @@ RC_GTEST_PROP(OwenSobol, HasOnePointInEachOfItsIntervalsInEveryDimension, (std::
   }
 }
 
-// Dimensions 0 and 1 are a (0, m, 2)-net: every elementary interval 2^-a x 2^-(m-a) has one point. So are the first two
-// of each padded four.
+// Dimensions 0 and 1 are a (0, m, 2)-net: every elementary interval 2^-a x 2^-(m-a) has one point. So are the first
+// two of each padded four.
 RC_GTEST_PROP(OwenSobol, HasOnePointInEveryElementaryIntervalOfItsFirstTwoDimensions, (std::uint64_t seed)) {
   const int m = *rc::gen::inRange(0, 11);
   const Points points(seed, 1u << m, 74);

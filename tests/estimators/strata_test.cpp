@@ -37,7 +37,8 @@ TEST(InStratum, StaysInItsStratumAtTheEdges) {
   EXPECT_EQ(in_stratum((1u << 28) - 1, 1u << 28, ones, ones), 1 - 0x1p-53);
 }
 
-// The strata share a step: floor(N / 3) = (2^53 - 2) / 3 for the last two N of the first and the first of the second.
+// The strata share a step: floor(N / 3) = (2^53 - 2) / 3 for the last two N of the first and the first of the
+// second.
 TEST(InStratum, BeginsWhereTheStratumBeforeEnds) {
   const double third = 0x1.5555555555554p-2;  // (2^53 - 2) / 3 steps of the grid
   EXPECT_EQ(in_stratum(0, 3, 0xFFFFFFFFu, 0xFFFFFFFFu), third);

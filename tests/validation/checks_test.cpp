@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/stats/domains.h>
 #include <fairlight/validation/checks.h>
 
@@ -40,6 +41,38 @@ TEST(CheckMean, NamesADrawThatIsOutOfItsRange) {
     EXPECT_EQ(finding.verdict, Verdict::biased) << wrong;
     EXPECT_NE(finding.note.find("draw 0"), std::string::npos) << finding.note;
   }
+}
+
+TEST(ReplicateMean, IsTheMeanOverThePointsOfOneReplicate) {
+  using Set = LatinHypercube<double>;
+  const StreamKey key(1, "test");
+  const auto draw = [](auto& source) { return source.next(); };
+  const Set set(key, 5, 2);
+  EXPECT_EQ(replicate_mean<Set>(key, 5, 2, draw), (set.source(0).next() + set.source(1).next()) / 2);
+  EXPECT_NE(replicate_mean<Set>(key, 5, 2, draw), replicate_mean<Set>(key, 6, 2, draw));
+}
+
+TEST(CheckReplicates, CertifiesTheMeanAndOnlyTheMean) {
+  const auto check = [](double mean) {
+    return check_replicates<LatinHypercube<double>>(trial, {{0.5, 0, 1}, {mean, 1, 3}},
+                                                    [](auto& source) {
+                                                      const double u = source.next();
+                                                      return Eigen::Array2d(u, 2 * u + 1);
+                                                    })
+        .verdict;
+  };
+  EXPECT_EQ(check(2), Verdict::certified);
+  EXPECT_EQ(check(2.2), Verdict::biased);
+  EXPECT_EQ(check(1.8), Verdict::biased);
+}
+
+TEST(CheckReplicates, AllowsTheRoundingOfTheSumAtTheBounds) {
+  const auto check = [](double value, std::uint32_t n) {
+    return check_replicates<LatinHypercube<double>>(
+        trial, {{0.1, 0, 0.1 * (1 + 1e-15)}}, [value](auto&) { return value; }, n);
+  };
+  EXPECT_EQ(check(0.1, 10).verdict, Verdict::certified);
+  EXPECT_EQ(check(0.10001, 10).verdict, Verdict::biased);
 }
 
 TEST(CheckConstant, AllowsAFewUlpAndNoMore) {
