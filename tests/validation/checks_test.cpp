@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/stats/domains.h>
 #include <fairlight/validation/checks.h>
 
@@ -80,6 +81,40 @@ TEST(CheckDensity, HoldsPacketsToDouble) {
   EXPECT_EQ(check_density(trial, PacketHemisphere(1.1f), law).verdict, Verdict::biased);
   EXPECT_EQ(check_density(trial, PacketHemisphere(0.9f), law).verdict, Verdict::biased);
   EXPECT_EQ(check_density(trial, PacketHemisphere(3), law).verdict, Verdict::biased);
+}
+
+TEST(ReplicateMean, IsTheMeanOverThePointsOfOneReplicate) {
+  using Set = LatinHypercube<double>;
+  const StreamKey key(1, "test");
+  const auto draw = [](auto& source) { return source.next(); };
+  const Set set(key, 5, 2);
+  EXPECT_EQ(replicate_mean<Set>(key, 5, 2, draw), (set.source(0).next() + set.source(1).next()) / 2);
+  EXPECT_NE(replicate_mean<Set>(key, 5, 2, draw), replicate_mean<Set>(key, 6, 2, draw));
+}
+
+TEST(CheckReplicates, CertifiesTheMeanAndOnlyTheMean) {
+  const auto check = [](double mean) {
+    return check_replicates<LatinHypercube<double>>(trial, {{0.5, 0, 1}, {mean, 1, 3}},
+                                                    [](auto& source) {
+                                                      const double u = source.next();
+                                                      return Eigen::Array2d(u, 2 * u + 1);
+                                                    })
+        .verdict;
+  };
+  EXPECT_EQ(check(2), Verdict::certified);
+  EXPECT_EQ(check(2.2), Verdict::biased);
+  EXPECT_EQ(check(1.8), Verdict::biased);
+}
+
+// (0.1 + 0.1 + 0.1) / 3 rounds to more than 0.1.
+TEST(CheckReplicates, AllowsTheRoundingOfTheSumAndNoMore) {
+  const auto note = [](double value) {
+    return check_replicates<LatinHypercube<double>>(
+               trial, {{0.05, 0, 0.1}}, [value](auto&) { return value; }, 3)
+        .note;
+  };
+  EXPECT_EQ(note(0.1).find("draw 0"), std::string::npos) << note(0.1);
+  EXPECT_NE(note(0.1 * (1 + 1e-14)).find("draw 0"), std::string::npos);
 }
 
 TEST(CheckConstant, AllowsAFewUlpAndNoMore) {
