@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace fairlight {
 
@@ -55,6 +56,40 @@ struct DiskDomain {
   Eigen::Vector2d at(double s, double t) const { return radius * std::sqrt(s) * detail::on_circle(t); }
   Eigen::Vector2d coordinates(const Eigen::Vector2d& x) const {
     return {x.squaredNorm() / (radius * radius), detail::turn(x.x(), x.y())};
+  }
+};
+
+/// The regular polygon about the origin with the given number of corners, at the given distance, the first at an angle
+/// from +x. Each side and the origin make a triangle: equal steps along the side have equal areas, and equal steps of the
+/// squared distance from the origin across it.
+struct PolygonDomain {
+  double radius;
+  int corners;
+  double rotation;
+
+  double half_sector() const { return std::numbers::pi / corners; }
+  double apothem() const { return radius * std::cos(half_sector()); }
+  double size() const { return corners * radius * radius * std::sin(2 * half_sector()) / 2; }
+
+  Eigen::Vector2d at(double s, double t) const {
+    const double side = std::floor(t * corners);
+    const double angle = std::atan((2 * (t * corners - side) - 1) * std::tan(half_sector()));
+    return std::sqrt(s) * apothem() / std::cos(angle) *
+           (from_first_corner(1) * detail::on_circle((side + 0.5 + angle / (2 * half_sector())) / corners));
+  }
+  Eigen::Vector2d coordinates(const Eigen::Vector2d& x) const {
+    const Eigen::Vector2d turned = from_first_corner(-1) * x;
+    const double turn = detail::turn(turned.x(), turned.y()) * corners;
+    const double side = std::floor(turn);
+    const double angle = (2 * (turn - side) - 1) * half_sector();
+    const double out = x.norm() * std::cos(angle) / apothem();
+    return {out * out, (side + 0.5 + std::tan(angle) / std::tan(half_sector()) / 2) / corners};
+  }
+
+ private:
+  // A turn starts at -x.
+  Eigen::Matrix2d from_first_corner(double sign) const {
+    return Eigen::Rotation2Dd(sign * (rotation - std::numbers::pi)).toRotationMatrix();
   }
 };
 

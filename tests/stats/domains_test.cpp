@@ -47,6 +47,27 @@ TEST(DiskDomain, PreservesAreaAndInverts) {
   EXPECT_DOUBLE_EQ(DiskDomain{2}.size(), 4 * M_PI);
 }
 
+TEST(PolygonDomain, PreservesAreaAndInverts) {
+  check_inverse(PolygonDomain{2, 5, 0.25});
+  check_inverse(PolygonDomain{2, 4, 0});
+  const PolygonDomain square{2, 4, 0};
+  EXPECT_DOUBLE_EQ(square.size(), 8);
+  EXPECT_TRUE(square.at(1, 0).isApprox(Eigen::Vector2d(2, 0))) << "the first corner";
+  EXPECT_TRUE(square.at(0.25, 0.125).isApprox(Eigen::Vector2d(0.5, 0.5))) << "half way to the middle of a side";
+  EXPECT_TRUE((PolygonDomain{2, 4, M_PI / 2}.at(1, 0).isApprox(Eigen::Vector2d(0, 2))));
+}
+
+// |dx/ds x dx/dt| is the constant size.
+RC_GTEST_PROP(PolygonDomain, HasTheConstantJacobianOfItsArea, ()) {
+  const PolygonDomain domain{2, *rc::gen::inRange(3, 12), 0.25};
+  const double s = 0.01 + 0.98 * *testing::unit_number();
+  const double t = (*rc::gen::inRange(0, domain.corners) + 0.01 + 0.98 * *testing::unit_number()) / domain.corners;
+  constexpr double h = 1e-6;
+  const Eigen::Vector2d ds = (domain.at(s + h, t) - domain.at(s - h, t)) / (2 * h);
+  const Eigen::Vector2d dt = (domain.at(s, t + h) - domain.at(s, t - h)) / (2 * h);
+  RC_ASSERT(std::abs((ds.x() * dt.y() - ds.y() * dt.x()) / domain.size() - 1) < 1e-6);
+}
+
 TEST(IntervalDomain, IgnoresTheSecondCoordinate) {
   const IntervalDomain interval{-1, 3};
   EXPECT_EQ(interval.at(0.25, 0.9), 0);
