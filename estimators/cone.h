@@ -7,8 +7,9 @@
 
 namespace fairlight {
 
-/// Uniform directions in a cone about +z: what a sphere light subtends, a sun's disk, an aperture. The cone is given by the
-/// height of its cap, 1 - cos(theta_max), and no step subtracts cosines: a cone of 1e-8 rad is as exact as a wide one.
+/// Uniform directions in a cone about +z: what a sphere light subtends, a sun's disk, an aperture. The cone is
+/// given by the height of its cap, 1 - cos(theta_max), and no step subtracts cosines: a cone of 1e-8 rad is as
+/// exact as a wide one.
 /// Formula  p(w) = 1 / (2 pi (1 - cos(theta_max)))
 /// Measure  solid angle [1/sr]
 /// Domain   unit vectors with theta <= theta_max <= pi, to rounding; the density is 0 elsewhere
@@ -58,8 +59,9 @@ class UniformCone {
     return {detail::drop_below_pole(w) / height_, detail::turn_about_z(w)};
   }
 
-  /// The cone includes the directions that rounding takes past its edge, so that none that is drawn has density zero: from
-  /// height to direction and back the roundings add up to less than 16 ulp, sine and cosine being good to 2.
+  /// The cone includes the directions that rounding takes past its edge, so that none that is drawn has density
+  /// zero: from height to direction and back the roundings add up to less than 16 ulp, sine and cosine being good
+  /// to 2.
   Density<Measure, Real> pdf(const Point& w) const {
     const Real edge = height_ * (Real(1) + Real(16) * ulp<Real>);
     return Density<Measure, Real>(

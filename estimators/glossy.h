@@ -8,9 +8,10 @@
 
 namespace fairlight {
 
-/// The paper's glossy surface: the modified Phong model, a lobe of exponent n about the mirror direction, at the angle alpha
-/// from it. At normal incidence alpha is theta, and the reflectance is albedo (n + 2) int_0^1 z^n z dz = albedo. Elsewhere it
-/// is less, as the surface cuts the lobe and the cosine is smaller: for n to infinity, albedo cos(theta_out).
+/// The paper's glossy surface: the modified Phong model, a lobe of exponent n about the mirror direction, at the
+/// angle alpha from it. At normal incidence alpha is theta, and the reflectance is albedo (n + 2) int_0^1 z^n z dz
+/// = albedo. Elsewhere it is less, as the surface cuts the lobe and the cosine is smaller: for n to infinity,
+/// albedo cos(theta_out).
 /// Formula  f = albedo (n + 2) / (2 pi) cos^n(alpha), without the cosine; 0 from 90 degrees on; sampled by Directions
 /// Measure  f in 1/sr; the density is that of Directions, in solid angle
 /// Domain   out and in with z > 0; f is 0 elsewhere: draws below the surface have their density, and weigh nothing.

@@ -7,8 +7,9 @@
 
 namespace fairlight {
 
-/// Directions about an axis in proportion to a power of the cosine of the angle alpha to it: the Phong lobe. Of any sharpness:
-/// it reckons with 1 - cos(alpha), since a power of 10^6 of the cosine itself makes 6 % of the rounding of a float.
+/// Directions about an axis in proportion to a power of the cosine of the angle alpha to it: the Phong lobe. Of any
+/// sharpness: it reckons with 1 - cos(alpha), since a power of 10^6 of the cosine itself makes 6 % of the rounding
+/// of a float.
 /// Formula  p(w) = (n + 1) / (2 pi) cos^n(alpha)
 /// Measure  solid angle [1/sr]
 /// Domain   unit vectors with alpha < 90 degrees; the density is 0 elsewhere. A surface may cut off a part. With n < 1,

@@ -4,8 +4,8 @@
 
 namespace fairlight::detail {
 
-/// Unit vectors in polar coordinates about +z. Near the pole the height 1 - cos(theta) below it says where a direction is,
-/// and z does not, which is 1 but for rounding: so heights are what the samplers reckon with.
+/// Unit vectors in polar coordinates about +z. Near the pole the height 1 - cos(theta) below it says where a
+/// direction is, and z does not, which is 1 but for rounding: so heights are what the samplers reckon with.
 
 /// The unit vector at height z above the equator, at the fraction `turn` of a full turn about +z.
 template <class Real>
@@ -16,15 +16,16 @@ Vec3<Real> direction_at(Real z, Real radius, Real turn) {
   return {radius * cos(phi), radius * sin(phi), z};
 }
 
-/// The same at the height 0 <= drop <= 2 below the pole: sin^2 = (1 - cos) (1 + cos) = drop (2 - drop), which cancels nothing.
+/// The same at the height 0 <= drop <= 2 below the pole: sin^2 = (1 - cos) (1 + cos) = drop (2 - drop), which
+/// cancels nothing.
 template <class Real>
 Vec3<Real> direction_below_pole(Real drop, Real turn) {
   using std::sqrt;
   return direction_at(Real(Real(1) - drop), Real(sqrt(drop * (Real(2) - drop))), turn);
 }
 
-/// The height of a unit vector below the pole, 1 - cos(theta): above the equator as sin^2 / (1 + cos), which keeps every
-/// digit of a small angle.
+/// The height of a unit vector below the pole, 1 - cos(theta): above the equator as sin^2 / (1 + cos), which keeps
+/// every digit of a small angle.
 template <class Real>
 Real drop_below_pole(const Vec3<Real>& w) {
   using std::abs;

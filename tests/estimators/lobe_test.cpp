@@ -60,7 +60,8 @@ TEST(PowerCosineLobe, GivesUnitVectorsInItsSupportAtTheEdgesOfTheSquare) {
   expect_edges<Packet>();
 }
 
-// Below exponent 1 the outermost draws may be beyond 90 degrees by rounding; their density is then 0, and never not a number.
+// Below exponent 1 the outermost draws may be beyond 90 degrees by rounding; their density is then 0, and never not
+// a number.
 TEST(PowerCosineLobe, IsFiniteAtTheEdgesForSmallExponents) {
   for (float exponent : {0.0f, 1e-3f, 0.5f}) {
     for (const Vec2<float>& u : testing::edge_points<float>()) {

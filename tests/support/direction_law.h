@@ -60,8 +60,9 @@ void check_round_trip(const Law& law, double tolerance) {
   RC_ASSERT(std::min(off.y(), 1 - off.y()) <= tolerance);
 }
 
-/// What a packet makes of a few points of the square, a lane each, is what double makes of them: directions, densities and
-/// inverses. `make(type_identity<Real>)` gives the law; `tolerance` is relative for densities, absolute for the rest.
+/// What a packet makes of a few points of the square, a lane each, is what double makes of them: directions,
+/// densities and inverses. `make(type_identity<Real>)` gives the law; `tolerance` is relative for densities,
+/// absolute for the rest.
 template <class Make>
 void expect_packets_agree(const Make& make, double tolerance) {
   const auto law = make(std::type_identity<double>{});

@@ -20,8 +20,8 @@ inline rc::Gen<Vec2<double>> unit_point() {
                       [](const std::pair<double, double>& u) { return Vec2<double>(u.first, u.second); });
 }
 
-/// The corners and edges of [0,1)^2: 0, the smallest number of a source, a half and the largest, in all pairs; of double
-/// 2^-53 and 1 - 2^-53.
+/// The corners and edges of [0,1)^2: 0, the smallest number of a source, a half and the largest, in all pairs; of
+/// double 2^-53 and 1 - 2^-53.
 template <class Real = double>
 std::vector<Vec2<Real>> edge_points() {
   constexpr Lane<Real> tiny = ulp<Real> / 2;
