@@ -100,6 +100,26 @@ struct HemisphereDomain {
   Eigen::Vector2d coordinates(const Eigen::Vector3d& w) const { return {w.z(), detail::turn(w.x(), w.y())}; }
 };
 
+/// Directions about an axis, a unit vector, down to `height` = 1 - cos of the angle to it, in (0,2].
+class CapDomain {
+ public:
+  explicit CapDomain(double height, const Eigen::Vector3d& axis = {0, 0, 1})
+      : height_(height), turned_(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(0, 0, 1), axis)) {}
+
+  double size() const { return 2 * std::numbers::pi * height_; }
+  Eigen::Vector3d at(double s, double t) const { return turned_ * detail::at_height(1 - height_ * s, t); }
+  Eigen::Vector2d coordinates(const Eigen::Vector3d& w) const {
+    const Eigen::Vector3d local = turned_.transpose() * w;
+    const double ring = local.head<2>().squaredNorm();
+    const double drop = local.z() > 0 ? ring / (1 + local.z()) : 1 - local.z();  // never negative by rounding
+    return {drop / height_, detail::turn(local.x(), local.y())};
+  }
+
+ private:
+  double height_;
+  Eigen::Matrix3d turned_;
+};
+
 /// The surface of a sphere, its points given as unit normals.
 struct SphereDomain {
   double radius;

@@ -36,6 +36,20 @@ TEST(HemisphereDomain, PreservesAreaAndInverts) {
   check_area(HemisphereDomain{}, 1);
 }
 
+TEST(CapDomain, PreservesAreaAndInverts) {
+  check_inverse(CapDomain(1.5));
+  check_area(CapDomain(1.5), 1);
+  check_inverse(CapDomain(0.5, {2.0 / 3, -1.0 / 3, 2.0 / 3}));
+  check_area(CapDomain(0.5, {2.0 / 3, -1.0 / 3, 2.0 / 3}), 1);
+}
+
+TEST(CapDomain, HasItsAxisAtOneEndAndItsEdgeAtTheOther) {
+  const CapDomain cap(0.4, {0, 1, 0});
+  EXPECT_TRUE(cap.at(0, 0.3).isApprox(Eigen::Vector3d(0, 1, 0)));
+  EXPECT_DOUBLE_EQ(cap.at(1, 0.3).y(), 0.6);
+  EXPECT_LE(std::abs(cap.coordinates({0, 1, 0}).x()), 1e-30);
+}
+
 TEST(SphereDomain, PreservesAreaAndInverts) {
   check_inverse(SphereDomain{3});
   check_area(SphereDomain{3}, 9);
