@@ -17,8 +17,12 @@ inline rc::Gen<double> cosine_to_grazing() {
   return rc::gen::oneOf(between(1e-6, 1), rc::gen::element(1e-6, 0.5, 1.0));
 }
 
-/// From 1/3 to 3, and 1 exactly.
-inline rc::Gen<double> index_of_refraction() { return rc::gen::oneOf(between(1.0 / 3, 3), rc::gen::just(1.0)); }
+/// From 1/3 to 3; 1 exactly, and near it.
+inline rc::Gen<double> index_of_refraction() {
+  const auto above_one = rc::gen::map(between(1e-9, 0.5), [](double x) { return 1 + x; });
+  const auto below_one = rc::gen::map(between(1e-9, 0.5), [](double x) { return 1 - x; });
+  return rc::gen::oneOf(between(1.0 / 3, 3), above_one, below_one, rc::gen::just(1.0));
+}
 
 /// Unit vectors above the surface, down to grazing.
 inline rc::Gen<Vec3<double>> direction_above() {
