@@ -10,10 +10,8 @@ namespace fairlight::detail {
 /// The unit vector at height z above the equator, at the fraction `turn` of a full turn about +z.
 template <class Real>
 Vec3<Real> direction_at(Real z, Real radius, Real turn) {
-  using std::cos;
-  using std::sin;
-  const Real phi = Real(2) * pi<Real> * turn;
-  return {radius * cos(phi), radius * sin(phi), z};
+  const auto [sine, cosine] = sine_and_cosine(Real(Real(2) * pi<Real> * turn));
+  return {radius * cosine, radius * sine, z};
 }
 
 /// The same at the height 0 <= drop <= 2 below the pole: sin^2 = (1 - cos) (1 + cos) = drop (2 - drop), which

@@ -120,6 +120,33 @@ class CapDomain {
   Eigen::Matrix3d turned_;
 };
 
+/// The directions within 90 degrees of each of two unit vectors, neither equal nor opposite: a lune, whose horns lie
+/// on their cross product. Equal heights along that have equal areas, and so have equal angles about it.
+class LuneDomain {
+ public:
+  LuneDomain(const Eigen::Vector3d& first, const Eigen::Vector3d& second)
+      : first_(first),
+        axis_(first.cross(second).normalized()),
+        across_(axis_.cross(first)),
+        width_(std::numbers::pi - std::acos(first.dot(second))) {}
+
+  double size() const { return 2 * width_; }
+  Eigen::Vector3d at(double s, double t) const {
+    const double height = 2 * s - 1;
+    const double angle = std::numbers::pi / 2 - width_ * t;
+    const double radius = std::sqrt((1 - height) * (1 + height));
+    return height * axis_ + radius * (std::cos(angle) * first_ + std::sin(angle) * across_);
+  }
+  Eigen::Vector2d coordinates(const Eigen::Vector3d& w) const {
+    const double angle = std::atan2(w.dot(across_), w.dot(first_));
+    return {(w.dot(axis_) + 1) / 2, (std::numbers::pi / 2 - angle) / width_};
+  }
+
+ private:
+  Eigen::Vector3d first_, axis_, across_;
+  double width_;
+};
+
 /// The surface of a sphere, its points given as unit normals.
 struct SphereDomain {
   double radius;

@@ -50,6 +50,20 @@ TEST(CapDomain, HasItsAxisAtOneEndAndItsEdgeAtTheOther) {
   EXPECT_LE(std::abs(cap.coordinates({0, 1, 0}).x()), 1e-30);
 }
 
+TEST(LuneDomain, PreservesAreaAndInverts) {
+  const LuneDomain lune({0.6, 0, 0.8}, {0, 0, 1});
+  check_inverse(lune);
+  check_area(lune, 1);
+}
+
+TEST(LuneDomain, LiesBetweenTheEdgesOfTwoHemispheres) {
+  const LuneDomain quarter({1, 0, 0}, {0, 0, 1});
+  EXPECT_DOUBLE_EQ(quarter.size(), M_PI);
+  EXPECT_TRUE(quarter.at(0.5, 0).isApprox(Eigen::Vector3d(0, 0, 1))) << quarter.at(0.5, 0).transpose();
+  EXPECT_TRUE(quarter.at(0.5, 1).isApprox(Eigen::Vector3d(1, 0, 0))) << quarter.at(0.5, 1).transpose();
+  EXPECT_TRUE(quarter.at(1, 0.5).isApprox(Eigen::Vector3d(0, -1, 0))) << quarter.at(1, 0.5).transpose();
+}
+
 TEST(SphereDomain, PreservesAreaAndInverts) {
   check_inverse(SphereDomain{3});
   check_area(SphereDomain{3}, 9);
