@@ -48,7 +48,7 @@ RC_GTEST_PROP(BlackmanHarrisFilter, IsTheWindow, ()) {
             1e-14 / (radius * radius));
 }
 
-// To 8 ulp of 1, for numbers everywhere and for small ones, down to 2^-53.
+// To 4 ulp of 1, for numbers everywhere and for small ones, down to 2^-53.
 RC_GTEST_PROP(BlackmanHarrisFilter, InvertsItsDistributionFunctionToTheRounding, ()) {
   const double scale = std::pow(2.0, -*rc::gen::inRange(0, 53));
   const double u = scale * *testing::unit_number();

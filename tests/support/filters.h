@@ -12,7 +12,7 @@ namespace fairlight::testing {
 
 /// What holds of every pixel filter, in whatever arithmetic it is made: `make(type_identity<Real>)` gives it.
 
-/// A number between the edges 0 and 1 - 2^-53, or 2^-24, and the numbers next to them.
+/// The edges 0, 1/2 and 1 - 2^-53, or 1 - 2^-24, and the numbers next to them.
 template <class Real>
 std::array<double, 8> edge_numbers() {
   const double step = static_cast<double>(ulp<Real>) / 2;
