@@ -24,7 +24,7 @@ WeightedLobe(Part, typename Part::Scalar, typename Part::Scalar) -> WeightedLobe
 /// Measure  f in 1/sr; the density in solid angle; 0 for single directions
 /// Domain   that of the lobes; w_i >= 0, q_i in [0,1], q_1 + q_2 = 1; w_i = 0 where q_i = 0
 /// Random   u_0 in [0,1) chooses the lobe, which takes those that follow
-/// Source   Veach and Guibas 1995 (the one-sample model, balance heuristic); PBR 4ed, 9.1.2
+/// Source   Veach and Guibas 1995 (the one-sample model, balance heuristic)
 template <Bsdf First, Bsdf Second>
 class Mixture {
  public:

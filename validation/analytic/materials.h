@@ -140,7 +140,7 @@ Claim glass_energy(const std::string& name) {
           .real = real_name<Real>()};
 }
 
-/// Copper at 645, 526 and 444 nm. Source: Johnson and Christy 1972, rounded.
+/// A metal like copper, in red, green and blue: absorbing throughout, and least like an insulator in red.
 struct Copper {
   std::array<double, 3> eta{0.22, 1.04, 1.21};
   std::array<double, 3> k{3.7, 2.58, 2.2};
