@@ -101,7 +101,18 @@ RC_GTEST_PROP(GgxVisibleNormals, GivesUnitNormalsAboveTheSurfaceInFloats, ()) {
   for (const Vec2<float>& u : testing::edge_points_float()) expect_in_domain(normals, u);
 }
 
-// What rounding moves m by, 1e-15, moves the stretched normal by at most that over the roughness.
+// Where the point of the cap is nearly opposite, and their sum is 1e-4 long.
+TEST(GgxVisibleNormals, KeepsItsDigitsInFloatsWhereTheSumCancels) {
+  const Vec3<float> out(0.8f, 0, 0.6f);
+  const GgxVisibleNormals<float> floats(Ggx<float>(0.5f, 0.25f), out);
+  const GgxVisibleNormals<double> doubles(Ggx<double>(0.5, 0.25), out.cast<double>());
+  const Vec2<float> u(1 - 0x1p-15f, 0.5f + 0x1p-15f);
+  const Vec3<double> exact = doubles.sample(u.cast<double>());
+  EXPECT_LE((floats.sample(u).cast<double>() - exact).norm(), 1e-6) << exact.transpose();
+}
+
+// What rounding moves m by, some 1e-16, moves the unstretched normal by that over the roughness, and the turn by that
+// over its distance from the top of the cap.
 RC_GTEST_PROP(GgxVisibleNormals, InvertsItsSamples, ()) {
   const double alpha_x = *roughness(), alpha_y = *roughness();
   const GgxVisibleNormals<double> normals(Ggx<double>(alpha_x, alpha_y), *direction_above());

@@ -25,7 +25,7 @@ void add_rough_conductor(std::vector<Claim>& claims) {
 
 // Their bounds: the larger of 1 / E(out) and the largest loss over the mean loss, rounded up.
 void add_energy_compensation(std::vector<Claim>& claims) {
-  add_mean(claims, metal_furnace("energy_compensation.furnace.smooth", 0.03, 0.1, 32));
+  add_mean(claims, metal_furnace("energy_compensation.furnace.smooth", 0.03, 0.5, 32));
   add_mean(claims, metal_furnace("energy_compensation.furnace.normal", 0.1, 1, 5));
   add_mean(claims, metal_furnace("energy_compensation.furnace.grazing", 0.3, 0.05, 1.5));
   add_mean(claims, metal_furnace("energy_compensation.furnace.rough", 0.5, 0.7, 1.6));

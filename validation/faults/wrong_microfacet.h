@@ -53,7 +53,7 @@ struct IndependentShadowing : Ggx<Real> {
   }
 };
 
-/// The mean loss without the cosine: the furnace neither gains nor loses much, and nobody looks. On record: the class of
+/// The mean loss without the cosine: too small, so that more is given back than was lost. On record: the class of
 /// pbrt-v4's BSDF energy test.
 struct PlainMeanLoss : GgxLoss {
   using GgxLoss::GgxLoss;
