@@ -31,12 +31,12 @@ TEST(Lambertian, WeighsAUniformBounceTwiceTheCosine) {
 
 template <template <class> class Directions>
 void check_weight() {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const Lambertian<double, Directions> surface(albedo);
     const auto bounce = surface.sample(up, *testing::unit_point());
     const Rgb<double> expected = surface.eval(up, bounce.in) * bounce.in.z() / bounce.density.value();
     RC_ASSERT((bounce.weight - expected).abs().maxCoeff() <= 1e-15);
-  });
+  }));
 }
 
 TEST(Lambertian, WeighsABounceByReflectanceCosineAndDensity) {
