@@ -39,7 +39,7 @@ Real turn_about_z(const Vec3<Real>& w) {
   const Real x = select(along_z, Real(1), Real(w.x()));  // atan2(0, 0) of a packet is not a number
   const Real signed_turn = atan2(Real(w.y()), x) / (Real(2) * pi<Real>);
   const Real turn = select(signed_turn < Real(0), Real(signed_turn + Real(1)), signed_turn);
-  return select(turn < Real(1), turn, Real(0));  // just short of a full turn, the sum rounds to it
+  return select(turn >= Real(1), Real(0), turn);  // just short of a full turn, the sum rounds to it
 }
 
 }  // namespace fairlight::detail
