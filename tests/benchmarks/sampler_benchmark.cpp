@@ -2,9 +2,16 @@
 // run. Built for the machine that it runs on, so that packets are as wide as they get.
 #include <benchmark/benchmark.h>
 
+#include <fairlight/estimators/blackman_harris_filter.h>
 #include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/cone.h>
 #include <fairlight/estimators/filter.h>
+#include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/estimators/ggx.h>
 #include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/lens.h>
+#include <fairlight/estimators/lobe.h>
+#include <fairlight/estimators/sphere_directions.h>
 #include <fairlight/estimators/sphere_light.h>
 #include <fairlight/estimators/stream.h>
 
@@ -46,9 +53,26 @@ void compare(const std::string& name, const Make& make) {
 int main(int argc, char** argv) {
   compare("uniform hemisphere", []<class Real>(std::type_identity<Real>) { return UniformHemisphere<Real>(); });
   compare("cosine hemisphere", []<class Real>(std::type_identity<Real>) { return CosineHemisphere<Real>(); });
+  compare("uniform sphere", []<class Real>(std::type_identity<Real>) { return UniformSphere<Real>(); });
+  compare("cone", []<class Real>(std::type_identity<Real>) { return UniformCone<Real>(Real(0.25)); });
+  compare("power-cosine lobe", []<class Real>(std::type_identity<Real>) {
+    return PowerCosineLobe<Real>(Vec3<Real>(Real(0.6f), Real(0), Real(0.8f)), Real(20));
+  });
+  compare("GGX visible normals", []<class Real>(std::type_identity<Real>) {
+    return GgxVisibleNormals<Real>({Real(0.25), Real(0.5)}, Vec3<Real>(Real(0.6f), Real(0), Real(0.8f)));
+  });
   compare("sphere by area",
           []<class Real>(std::type_identity<Real>) { return UniformSphereArea<Real>(Real(2.5)); });
+  compare("box filter", []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(); });
   compare("tent filter", []<class Real>(std::type_identity<Real>) { return TentFilter<Real>(); });
+  compare("Gaussian filter",
+          []<class Real>(std::type_identity<Real>) { return GaussianFilter<Real>(Real(0.5), Real(1)); });
+  compare("Blackman-Harris filter",
+          []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); });
+  compare("circular aperture",
+          []<class Real>(std::type_identity<Real>) { return CircularAperture<Real>(Real(2.5)); });
+  compare("hexagonal aperture",
+          []<class Real>(std::type_identity<Real>) { return PolygonalAperture<Real>(Real(2.5), 6); });
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }
