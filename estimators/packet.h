@@ -61,6 +61,22 @@ void store_lanes(const xsimd::batch<float, A>& x, double* out) {
   std::copy(values.begin(), values.end(), out);
 }
 
+template <class A>
+void load_lanes(const double* in, xsimd::batch<float, A>& x) {
+  std::array<float, lanes<xsimd::batch<float, A>>> values{};
+  std::transform(in, in + values.size(), values.begin(), [](double value) { return static_cast<float>(value); });
+  x = xsimd::batch<float, A>::load_unaligned(values.data());
+}
+template <class A>
+void load_lanes(const int* in, xsimd::batch<std::int32_t, A>& x) {
+  x = xsimd::batch<std::int32_t, A>::load_unaligned(in);
+}
+
+template <class A>
+xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_t, A>& i) {
+  return xsimd::batch<float, A>::gather(table, i);
+}
+
 /// The high and the low 32 bits of the products of 32-bit words, from those of their halves.
 template <class A>
 std::array<xsimd::batch<std::uint32_t, A>, 2> multiply_high_low(std::uint32_t a,
