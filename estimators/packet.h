@@ -63,6 +63,22 @@ void store_lanes(const xsimd::batch<float, A>& x, double* out) {
 }
 
 template <class A>
+void load_lanes(const double* in, xsimd::batch<float, A>& x) {
+  std::array<float, lanes<xsimd::batch<float, A>>> values{};
+  std::transform(in, in + values.size(), values.begin(), [](double value) { return static_cast<float>(value); });
+  x = xsimd::batch<float, A>::load_unaligned(values.data());
+}
+template <class A>
+void load_lanes(const int* in, xsimd::batch<std::int32_t, A>& x) {
+  x = xsimd::batch<std::int32_t, A>::load_unaligned(in);
+}
+
+template <class A>
+xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_t, A>& i) {
+  return xsimd::batch<float, A>::gather(table, i);
+}
+
+template <class A>
 std::pair<xsimd::batch<float, A>, xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<float, A>& x) {
   return xsimd::sincos(x);
 }

@@ -73,6 +73,15 @@ Mask<Real> same_index(int a, int b) {
 inline void store_lanes(double x, double* out) { *out = x; }
 inline void store_lanes(float x, double* out) { *out = static_cast<double>(x); }
 
+/// The values of the lanes from `in`: numbers, rounded, or indices.
+inline void load_lanes(const double* in, double& x) { x = *in; }
+inline void load_lanes(const double* in, float& x) { x = static_cast<float>(*in); }
+inline void load_lanes(const int* in, int& x) { x = *in; }
+
+/// The entry of a table, of each lane its own.
+inline double gather(const double* table, int i) { return table[i]; }
+inline float gather(const float* table, int i) { return table[i]; }
+
 template <class Real>
 inline constexpr Lane<Real> pi = std::numbers::pi_v<Lane<Real>>;
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <fairlight/estimators/concepts.h>
-#include <fairlight/estimators/pick_one.h>
-#include <fairlight/estimators/sphere_light.h>
+#include <utility>
+#include <vector>
+
+#include <fairlight/estimators/choose_light.h>
+#include <fairlight/estimators/sphere_sampling.h>
 #include <fairlight/render/scene.h>
 
 namespace fairlight {
@@ -18,55 +20,58 @@ struct Vertex {
 };
 
 /// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of them or
-/// of one of them.
-/// Formula  sum over L of  f Le cos / p_w,  p_w = p_A d^2 / cos_L, where the point faces the vertex and is seen; else 0
-/// Measure  the points by area, turned into solid angle
+/// of one of them: `Luminaires` says which (AllOf, OneOf, OneBy), `SphereSampling` where on it.
+/// Formula  sum over L of  f Le cos / p_w, where the point is seen; else 0
+/// Measure  solid angle, by SphereSampling
 /// Domain   spheres that emit, from without, from within, or from their own surface
-/// Random   two dimensions per shadow ray, and one for the choice
-/// Bound    per luminaire, A max(Le f) / d^2 with d the smallest distance from the vertex to the luminaire
+/// Random   two dimensions per shadow ray, and those of the choice
+/// Bound    per luminaire, max(Le f cos / p_w): by area at most A max(Le f) / d^2 with d the smallest distance from the
+///          vertex to the luminaire, by cone S max(Le f) with S the cone's solid angle
 /// Source   Shirley, Wang, Zimmerman 1996; the paper, 3.2 and A.1
-template <class Luminaires, template <class> class PointsOnSphere = UniformSphereArea>
-struct DirectLight {
+template <class Luminaires, template <class> class SphereSampling = SphereByArea>
+class DirectLight {
+ public:
+  explicit DirectLight(Luminaires luminaires = Luminaires()) : luminaires_(std::move(luminaires)) {}
+
   /// Emission is counted where the path starts; later it has been counted by a shadow ray (the paper, A.2).
   static constexpr bool counts_emission(int depth) { return depth == 0; }
 
   template <class Real, class Geometry, UniformSource<Real> Source, class Bsdf>
-  static Rgb<Real> estimate(const Geometry& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source) {
+  Rgb<Real> estimate(const Geometry& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source) const {
     const auto& luminaires = scene.luminaires();
-    if (luminaires.empty()) return Rgb<Real>::Zero();
     const auto term = [&](int i, Source& numbers) {
       return from(luminaires[static_cast<std::size_t>(i)], scene, vertex, bsdf, numbers);
     };
-    return Luminaires::template sum<Real>(static_cast<int>(luminaires.size()), source, term);
+    return luminaires_.template sum<Real>(static_cast<int>(luminaires.size()), source, term);
   }
 
  private:
+  // A luminaire on which the vertex itself lies shows its inner face to it: where it reflects outwards, nothing.
   template <class Real, class Geometry, class Source, class Bsdf>
   static Rgb<Real> from(const Luminaire& light, const Geometry& scene, const Vertex<Real>& vertex, const Bsdf& bsdf,
                         Source& source) {
-    const PointsOnSphere<Real> points(light.radius);
-    const Vec3<Real> outward = points.sample(next_pair<Real>(source));
-    const Vec3<Real> to_light = light.centre + light.radius * outward - vertex.position;
-    const Real distance = to_light.norm();
-    const Vec3<Real> direction = to_light / distance;
-    const Real cosine_there = -side(light, scene, vertex) * outward.dot(direction);
+    const SphereLight<Real> sphere(light.centre, light.radius, vertex.surface == light.surface);
+    const auto [direction, distance, density] =
+        SphereSampling<Real>(sphere).sample(vertex.position, next_pair<Real>(source));
     const Rgb<Real> reflected = bsdf.eval_world(direction);
-    if (!(cosine_there > Real(0) && (reflected > Real(0)).any())) return Rgb<Real>::Zero();
+    if (!(density.value() > Real(0) && (reflected > Real(0)).any())) return Rgb<Real>::Zero();
     if (!scene.visible({vertex.position, direction, vertex.surface}, distance, light.surface))
       return Rgb<Real>::Zero();
-    const Real cosine_here = vertex.normal.dot(direction);
-    return light.radiance * reflected * cosine_here / to_solid_angle(points.pdf(outward), distance, cosine_there);
+    const Real cosine = vertex.normal.dot(direction);
+    return light.radiance * reflected * cosine / density;
   }
 
-  // +1 outside the luminaire, where its outward face is seen, -1 inside. On it, the side that reflects decides.
-  template <class Real, class Geometry>
-  static Real side(const Luminaire& light, const Geometry& scene, const Vertex<Real>& vertex) {
-    const Sphere<double>& shape = scene.surfaces()[static_cast<std::size_t>(light.surface)].shape;
-    const Real height = vertex.surface == light.surface ? shape.normal_at(vertex.position).dot(vertex.normal)
-                                                        : shape.level(vertex.position);
-    return select(height > Real(0), Real(1), Real(-1));
-  }
+  Luminaires luminaires_;
 };
+
+/// One of a scene's luminaires by its power, 4 pi^2 r^2 times the mean of the radiance's channels [W], from each face.
+inline OneBy<PowerChoice<double>> one_by_power(const Scene& scene) {
+  std::vector<double> powers;
+  for (const Luminaire& light : scene.luminaires()) {
+    powers.push_back(4 * pi<double> * pi<double> * light.radius * light.radius * light.radiance.mean());
+  }
+  return OneBy(PowerChoice<double>(powers));
+}
 
 /// No shadow rays: light is found by the bounces alone, and emission is counted at every depth.
 /// Source   Kajiya 1986

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <utility>
 
 #include <fairlight/estimators/lambertian.h>
 #include <fairlight/estimators/roulette.h>
@@ -49,7 +50,8 @@ class PathTracer {
 
   /// max_depth: the number of bounces after which a path ends, or no_limit. Throws std::invalid_argument below
   /// that.
-  explicit PathTracer(int max_depth = no_limit) : max_depth_(max_depth) {
+  explicit PathTracer(int max_depth = no_limit, Direct direct = Direct())
+      : max_depth_(max_depth), direct_(std::move(direct)) {
     if (max_depth < no_limit) throw std::invalid_argument("a maximum depth must be nonnegative");
   }
 
@@ -66,7 +68,7 @@ class PathTracer {
 
       const Vertex<Real> vertex = vertex_at(surface.shape, hit, ray);
       const SurfaceBsdf<Real, Directions> bsdf(surface.albedo, vertex.normal, -ray.direction);
-      sum += throughput * Direct::template estimate<Real>(scene, vertex, bsdf, source);
+      sum += throughput * direct_.template estimate<Real>(scene, vertex, bsdf, source);
 
       if (depth + 1 == max_depth_ && !Direct::counts_emission(max_depth_)) return sum;
 
@@ -89,6 +91,7 @@ class PathTracer {
   }
 
   int max_depth_;
+  Direct direct_;
 };
 
 }  // namespace fairlight

@@ -10,7 +10,8 @@ namespace fairlight {
 /// Strategies that must have the same mean: the difference of independent draws has the mean 0. The margin is
 /// relative to `scale`, the size of the two means, on which the verdict that they differ does not rest.
 
-/// One of two unequal lights, weighted by |L|, against all of them.
+/// One of two unequal lights, weighted by |L|, against all of them, both by cone.
+/// Bound: one of them counts twice, which is at most twice the sum of their largest terms.
 template <class One, class All>
 Claim one_against_all(const std::string& name) {
   return {name,
@@ -23,7 +24,7 @@ Claim one_against_all(const std::string& name) {
             const SpheresOverPlane floor = two_lights();
             std::vector<Reference> references;
             for (int c = 0; c < 3; ++c) {
-              const double all = floor.sum_of_terms(c);
+              const double all = floor.sum_of_cone_terms(c);
               references.push_back({0, -all, 2 * all, 0, floor.reference(c)});
             }
             const One one(1);

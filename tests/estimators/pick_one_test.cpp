@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <support/lights.h>
 #include <support/scripted_source.h>
 #include <support/unit_square.h>
 
@@ -14,19 +15,30 @@ using testing::ScriptedSource;
 
 TEST(UniformChoice, CutsTheUnitIntervalIntoEqualParts) {
   const UniformChoice<double> choice(4);
-  EXPECT_EQ(choice.sample(0).index, 0);
-  EXPECT_EQ(choice.sample(0.25).index, 1);
-  EXPECT_EQ(choice.sample(0.999).index, 3);
-  EXPECT_EQ(choice.sample(0.5).probability.value(), 0.25);
+  EXPECT_EQ(choice.sample({0, 0}).index, 0);
+  EXPECT_EQ(choice.sample({0.25, 0}).index, 1);
+  EXPECT_EQ(choice.sample({0.999, 0}).index, 3);
+  EXPECT_EQ(choice.sample({0.5, 0}).probability.value(), 0.25);
 }
 
 RC_GTEST_PROP(UniformChoice, NamesAnAlternativeThatExists, ()) {
   const int n = *rc::gen::inRange(1, 100001);
   const UniformChoice<double> choice(n);
-  const double u = *testing::unit_number();
+  const Vec2<double> u = *testing::unit_point();
   RC_ASSERT(choice.sample(u).index >= 0);
   RC_ASSERT(choice.sample(u).index < n);
-  RC_ASSERT(choice.sample(1 - 0x1p-53).index == n - 1);
+  RC_ASSERT(choice.sample(Vec2<double>::Constant(1 - 0x1p-53)).index == n - 1);
+}
+
+// Between two neighbours of 24 bits the second number decides: 100000 x / 2^24 passes 1 at x = 167.77216.
+TEST(UniformChoice, ChoosesFinelyInPackets) {
+  const UniformChoice<Packet> choice(100000);
+  const auto index = [&](float x, float y) {
+    return testing::first_lane(xsimd::to_float(choice.sample({Packet(x), Packet(y)}).index));
+  };
+  EXPECT_EQ(index(167 * 0x1p-24f, 0.7721f), 0);
+  EXPECT_EQ(index(167 * 0x1p-24f, 0.7722f), 1);
+  EXPECT_EQ(index(1 - 0x1p-24f, 1 - 0x1p-24f), 99999);
 }
 
 TEST(UniformChoice, RefusesNoAlternatives) {
@@ -43,9 +55,15 @@ TEST(AllOf, AddsEveryTerm) {
 }
 
 TEST(OneOf, WeightsTheTermByTheirNumber) {
-  ScriptedSource source({0.5, 0.25});
+  ScriptedSource source({0.5, 0, 0.25});
   EXPECT_EQ(OneOf::sum<double>(3, source, term), 3 * 2 * 0.25);
   EXPECT_TRUE(source.exhausted());
+}
+
+TEST(SumOfNothing, IsZero) {
+  ScriptedSource none({});
+  EXPECT_EQ(AllOf::sum<double>(0, none, term), 0);
+  EXPECT_EQ(OneOf::sum<double>(0, none, term), 0);
 }
 
 }  // namespace

@@ -26,25 +26,25 @@ struct Floor {
   }
 };
 
-// u = (1/2, 3/4) is the normal (0, -1, 0): the light's lowest point, 4 above, both cosines 1.
+// u = (0, 0) is the light's point that is nearest to the vertex, 4 above it, both cosines 1.
 TEST(DirectLight, IsEmissionTimesReflectanceTimesAreaOverDistanceSquared) {
   const Floor floor;
-  ScriptedSource source({0.5, 0.75});
-  const Rgb<double> radiance = DirectLight<AllOf>::estimate(floor.scene, floor.vertex, floor.bsdf, source);
+  ScriptedSource source({0, 0});
+  const Rgb<double> radiance = DirectLight<AllOf>().estimate(floor.scene, floor.vertex, floor.bsdf, source);
   EXPECT_NEAR(radiance[0], 3 * (0.5 / M_PI) * (4 * M_PI) / 16, 1e-14);
 }
 
 TEST(DirectLight, IsZeroFromTheFarSideOfTheLight) {
   const Floor floor;
-  ScriptedSource source({0.5, 0.25});
-  EXPECT_TRUE((DirectLight<AllOf>::estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
+  ScriptedSource source({0.9, 0.25});
+  EXPECT_TRUE((DirectLight<AllOf>().estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
 }
 
 TEST(DirectLight, IsZeroInAShadow) {
   Floor floor;
   floor.scene.add_sphere({0, 2, 0}, 0.5, half, black);
-  ScriptedSource source({0.5, 0.75});
-  EXPECT_TRUE((DirectLight<AllOf>::estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
+  ScriptedSource source({0, 0});
+  EXPECT_TRUE((DirectLight<AllOf>().estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
 }
 
 TEST(DirectLight, IsZeroWhereNothingEmits) {
@@ -52,7 +52,7 @@ TEST(DirectLight, IsZeroWhereNothingEmits) {
   dark.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
   ScriptedSource none({});
   const Floor floor;
-  EXPECT_TRUE((DirectLight<OneOf>::estimate(dark, floor.vertex, floor.bsdf, none) == 0).all());
+  EXPECT_TRUE((DirectLight<OneOf>().estimate(dark, floor.vertex, floor.bsdf, none) == 0).all());
 }
 
 // Inside a sphere that emits, cos cos / d^2 = 1 / (4 r^2) for every pair of points, so every draw is rho Le.
@@ -62,9 +62,35 @@ TEST(DirectLight, SeesTheLuminaireThatItIsInside) {
   const Vertex<double> vertex{{0, -2, 0}, {0, 1, 0}, 0};
   for (double u : {0.1, 0.4, 0.9}) {
     ScriptedSource source({u, 0.3});
-    const Rgb<double> radiance = DirectLight<AllOf>::estimate(furnace, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source);
+    const Rgb<double> radiance =
+        DirectLight<AllOf>().estimate(furnace, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source);
     EXPECT_NEAR(radiance[0], 0.5 * 3, 1e-14) << u;
   }
+}
+
+// By the cone a draw is f Le cos / p with p = 1 / (2 pi) and cos = 1 - u, all of whose directions reach the sphere.
+TEST(DirectLight, SeesTheLuminaireThatItIsInsideByTheCone) {
+  Scene furnace;
+  furnace.add_sphere({0, 0, 0}, 2, half, lit);
+  const Vertex<double> vertex{{0, -2, 0}, {0, 1, 0}, 0};
+  ScriptedSource source({0.25, 0.3});
+  const DirectLight<AllOf, SphereByCone> direct;
+  const Rgb<double> radiance = direct.estimate(furnace, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source);
+  EXPECT_NEAR(radiance[0], 0.5 * 3 * 2 * 0.75, 1e-14);
+}
+
+// Two lights of power 1 to 3; the first number chooses, the second refines it. By the cone, whose 1 - cos is
+// 1 - sqrt(24)/5, a draw towards the middle of a light is f Le 2 pi (1 - cos) over the light's probability.
+TEST(DirectLight, ChoosesALightByItsPower) {
+  Floor floor;
+  floor.scene.add_sphere({0, -5, 0}, 1, black, 3 * lit);
+  const DirectLight<OneBy<PowerChoice<double>>, SphereByCone> direct(one_by_power(floor.scene));
+  ScriptedSource above({0.24, 0, 0, 0});
+  const double cone = 2 * M_PI * (1 - std::sqrt(24) / 5);
+  EXPECT_NEAR(direct.estimate(floor.scene, floor.vertex, floor.bsdf, above)[0], 3 * 0.5 / M_PI * cone / 0.25,
+              1e-14);
+  ScriptedSource below({0.26, 0, 0, 0});
+  EXPECT_EQ(direct.estimate(floor.scene, floor.vertex, floor.bsdf, below)[0], 0);
 }
 
 TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
@@ -72,7 +98,7 @@ TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
   alone.add_sphere({0, 0, 0}, 2, half, lit);
   const Vertex<double> vertex{{0, 2, 0}, {0, 1, 0}, 0};
   ScriptedSource source({0.5, 0.3});
-  EXPECT_TRUE((DirectLight<AllOf>::estimate(alone, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source) == 0).all());
+  EXPECT_TRUE((DirectLight<AllOf>().estimate(alone, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source) == 0).all());
 }
 
 TEST(CountsEmission, OnlyWhereNoShadowRayHasCountedIt) {

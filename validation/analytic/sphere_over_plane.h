@@ -21,7 +21,7 @@ struct SpheresOverPlane {
   Rgb<double> albedo{0.75, 0.5, 0.25};
   // The floor is a sphere of radius 1e5 seen from without, so all of the lights stand above its horizon at the
   // origin.
-  Ray<double> ray{{0, 3, 0}, {0, -1, 0}, -1};
+  Ray<double> ray{{0, 0.5, 0}, {0, -1, 0}, -1};
 
   explicit SpheresOverPlane(std::vector<Light> all) : lights(std::move(all)) {
     scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, albedo, Rgb<double>::Zero());
@@ -45,9 +45,21 @@ struct SpheresOverPlane {
     return 4 * light.radius * light.radius * light.radiance[channel] * albedo[channel] / (nearest * nearest);
   }
 
+  /// By cone: S Le f with S = 2 pi (1 - cos) the solid angle.
+  double largest_cone_term(const Light& light, int channel) const {
+    const double sine = light.radius / light.centre.norm();
+    return 2 * (1 - std::sqrt(1 - sine * sine)) * light.radiance[channel] * albedo[channel];
+  }
+
   double sum_of_terms(int channel) const {
     double sum = 0;
     for (const Light& light : lights) sum += largest_term(light, channel);
+    return sum;
+  }
+
+  double sum_of_cone_terms(int channel) const {
+    double sum = 0;
+    for (const Light& light : lights) sum += largest_cone_term(light, channel);
     return sum;
   }
 
@@ -58,20 +70,21 @@ struct SpheresOverPlane {
   }
 };
 
-inline SpheresOverPlane one_light() { return SpheresOverPlane({{{3, 5, 2}, 1.5, {1, 4, 2}}}); }
+/// So far that half of its points are seen.
+inline SpheresOverPlane one_light() { return SpheresOverPlane({{{3, 12, 4}, 1, {1, 4, 2}}}); }
 
 /// So near that bounces find it often.
-inline SpheresOverPlane large_light() { return SpheresOverPlane({{{2.5, 3.0, 1.5}, 2, {1, 4, 2}}}); }
+inline SpheresOverPlane large_light() { return SpheresOverPlane({{{1.5, 2.5, 1}, 2.4, {1, 4, 2}}}); }
 
 /// Unequal in size, distance and power, and neither hides the other.
 inline SpheresOverPlane two_lights() {
   return SpheresOverPlane({{{3, 5, 2}, 1.5, {1, 4, 2}}, {{-2, 4, -1.5}, 0.6, {12, 8, 20}}});
 }
 
-/// The floor's radiance through a path of one bounce. `bound` gives the largest draw of a channel.
+/// The floor's radiance through a path of one bounce, by `tracer`. `bound` gives the largest draw of a channel.
 template <class Tracer, class Bound>
 Claim floor_claim(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& scene,
-                  double margin_factor, const Bound& bound) {
+                  double margin_factor, const Bound& bound, const Tracer& tracer = Tracer(1)) {
   return {name,
           "mean",
           std::move(subjects),
@@ -82,7 +95,6 @@ Claim floor_claim(const std::string& name, std::vector<std::string> subjects, co
           [=](const Trial& trial) {
             std::vector<Reference> references;
             for (int c = 0; c < 3; ++c) references.push_back({scene.reference(c), 0, bound(scene, c) * (1 + 1e-9)});
-            const Tracer tracer(1);
             return check_mean(trial, references, [&](auto& source) {
               return tracer.template radiance<double>(scene.scene, scene.ray, source);
             });

@@ -1,8 +1,126 @@
+#include <fairlight/estimators/environment.h>
+#include <fairlight/validation/analytic/lights.h>
+#include <fairlight/validation/analytic/picks.h>
 #include <fairlight/validation/claims/claims.h>
-#include <fairlight/validation/laws.h>
 
 namespace fairlight {
+namespace {
 
-void add_light_claims(std::vector<Claim>& claims) { add_law(claims, sphere_area_law<UniformSphereArea>()); }
+template <class Real>
+using ByArea = SphereByArea<Real>;
+template <class Real>
+using ByVisibleHemisphere = SphereByVisibleHemisphere<Real>;
+
+constexpr double tau = 2 * std::numbers::pi;
+const Vec3<double> up(0, 0, 1);
+const Vec3<double> aside(1, 0, 0);
+
+// Inside, with the centre above, the density by area is a smooth function of the height of a direction.
+void add_laws(std::vector<Claim>& claims) {
+  const SphereFromOrigin around{{0, 0, 0.5}, 2};
+  const SphereFromOrigin touching{{0, 0, 2}, 2, true};
+  add_law(claims, sphere_area_law<UniformSphereArea>());
+  const auto inside = [&](const auto& law) {
+    claims.push_back(law_claim(law));
+    claims.push_back(density_claim(law));
+  };
+  inside(sphere_direction_law<ByArea>("sphere_light.by_area.inside", "SphereByArea", around, SphereDomain{1}));
+  inside(
+      sphere_direction_law<SphereByCone>("sphere_light.by_cone.inside", "SphereByCone", around, SphereDomain{1}));
+  add_law(claims, sphere_direction_law<SphereByCone>("sphere_light.by_cone.surface", "SphereByCone", touching,
+                                                     HemisphereDomain{}));
+}
+
+// 1/p is at most the area over the square of the least distance, or the solid angle. By area the spheres are far: near
+// ones hide most of their points.
+void add_spheres(std::vector<Claim>& claims) {
+  const SphereFromOrigin far{{3, 4, 12}, 1};
+  const SphereFromOrigin near{{1, 2, 2.5}, 2};
+  const SphereFromOrigin cut{{12, 0.5, 0.9}, 1};
+  const SphereFromOrigin cut_near{{3, 0.5, 1.75}, 2};
+  const SphereFromOrigin touching{{0, 0, 2}, 2, true};
+  const auto add = [&]<template <class> class Strategy>(const std::string& name, const std::string& subject,
+                                                        const SphereFromOrigin& sphere, double largest) {
+    add_mean(claims, sphere_irradiance_claim<Strategy>(name, subject, sphere, up, largest));
+  };
+  add.operator()<ByArea>("sphere_light.by_area.above", "SphereByArea", far, far.area_bound());
+  add.operator()<ByArea>("sphere_light.by_area.touching", "SphereByArea", touching, 2 * tau);
+  add.operator()<ByVisibleHemisphere>("sphere_light.by_visible.above", "SphereByVisibleHemisphere", far,
+                                      far.area_bound() / 2);
+  add.operator()<ByVisibleHemisphere>("sphere_light.by_visible.horizon", "SphereByVisibleHemisphere", cut,
+                                      cut.area_bound() / 2);
+  add.operator()<SphereByCone>("sphere_light.by_cone.above", "SphereByCone", near, near.cone_bound());
+  add.operator()<SphereByCone>("sphere_light.by_cone.horizon", "SphereByCone", cut_near, cut_near.cone_bound());
+  add.operator()<SphereByCone>("sphere_light.by_cone.touching", "SphereByCone", touching, tau);
+}
+
+void add_enclosing_spheres(std::vector<Claim>& claims) {
+  const SphereFromOrigin around{{0.25, -0.5, 0.25}, 2};
+  const Vec3<double> slanted(0.48, -0.6, 0.64);
+  add_mean(claims, enclosed_irradiance_claim<ByArea>("sphere_light.by_area.within", "SphereByArea", around, slanted,
+                                                     around.area_bound()));
+  add_mean(claims, enclosed_irradiance_claim<ByVisibleHemisphere>("sphere_light.by_visible.within",
+                                                                  "SphereByVisibleHemisphere", around, slanted,
+                                                                  around.area_bound()));
+  add_mean(claims, enclosed_irradiance_claim<SphereByCone>("sphere_light.by_cone.within", "SphereByCone", around,
+                                                           slanted, 2 * tau));
+}
+
+void add_rectangles(std::vector<Claim>& claims) {
+  const RectangleFromOrigin above{{-0.5, 0.25, 1.5}, 2, 1.5};
+  const RectangleFromOrigin beside{{0.5, -0.5, 1}, 1.5, 2};
+  add_mean(claims, rectangle_irradiance_claim<RectangleByArea>("rectangle.by_area.parallel", "RectangleByArea",
+                                                               above, up, above.area_bound()));
+  add_mean(claims, rectangle_irradiance_claim<RectangleByArea>("rectangle.by_area.perpendicular", "RectangleByArea",
+                                                               beside, aside, beside.area_bound()));
+  add_mean(claims, rectangle_solid_angle_claim<RectangleByArea>("rectangle.by_area.solid_angle", "RectangleByArea",
+                                                                beside, beside.area_bound()));
+  add_mean(claims,
+           rectangle_irradiance_claim<RectangleBySolidAngle>(
+               "rectangle.by_solid_angle.parallel", "RectangleBySolidAngle", above, up, above.solid_angle()));
+  add_mean(claims, rectangle_irradiance_claim<RectangleBySolidAngle>("rectangle.by_solid_angle.perpendicular",
+                                                                     "RectangleBySolidAngle", beside, aside,
+                                                                     beside.solid_angle()));
+  const LawExperiment points{"rectangle.by_solid_angle", "RectangleBySolidAngle", "Urena, Fajardo, King 2013",
+                             [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
+                             SquareDomain{0, 1}};
+  claims.push_back(law_claim(points));
+  claims.push_back(law_moments_claim(points));
+}
+
+void add_environment(std::vector<Claim>& claims) {
+  const auto make = []<class Real>(std::type_identity<Real>) { return ConstantEnvironment<Real>(); };
+  add_mean(claims, irradiance("environment.irradiance", "ConstantEnvironment",
+                              "under a constant environment of unit radiance the irradiance is pi on either face",
+                              "elementary", make, Vec3<double>(0.48, -0.6, 0.64), Faces::both, tau, 2 * tau));
+  const auto directions = []<class Real>(std::type_identity<Real>) {
+    return DirectionsFrom<ConstantEnvironment<Real>>{{}, rounded_vector<Real>({1, 2, 3})};
+  };
+  add_law(claims,
+          LawExperiment{"environment.constant", "ConstantEnvironment", "Archimedes", directions, SphereDomain{1}});
+}
+
+void add_picks(std::vector<Claim>& claims) {
+  for (const int n : {1, 2, 1000, 100'000}) {
+    const std::string among = "." + std::to_string(n);
+    const ManyLights lights(n, 0.5);
+    add_mean(claims, sum_by_number("pick.one" + among, lights));
+    add_mean(claims, sum_by_power<PowerChoice>("pick.power" + among, lights, lights.largest_by_power()));
+    const bool many = n > 1000;  // where every pick looks at all of them, fewer picks
+    add_mean(claims, sum_by_contribution("pick.contribution" + among, ManyLights(n, many ? 0.005 : 0.05),
+                                         many ? 0.005 : 0.05));
+  }
+}
+
+}  // namespace
+
+void add_light_claims(std::vector<Claim>& claims) {
+  add_laws(claims);
+  add_spheres(claims);
+  add_enclosing_spheres(claims);
+  add_rectangles(claims);
+  add_environment(claims);
+  add_picks(claims);
+}
 
 }  // namespace fairlight

@@ -24,8 +24,8 @@ Fault theta_uniform() {
           {law_claim(sphere_area_law<faults::ThetaUniformSphere>()),
            law_moments_claim(sphere_area_law<faults::ThetaUniformSphere>()),
            law_moments_claim<Packet>(sphere_area_law<faults::ThetaUniformSphere>()),
-           floor_claim<Tracer<DirectLight<AllOf, faults::ThetaUniformSphere>, NoRoulette>>(
-               "sphere_over_plane.light", {}, one_light(), 1, all_terms)}};
+           floor_claim<Tracer<DirectLight<AllOf, faults::SphereByTheta>, NoRoulette>>("sphere_over_plane.light", {},
+                                                                                      one_light(), 1, all_terms)}};
 }
 
 Fault unpaid_roulette() {
@@ -40,14 +40,16 @@ Fault unpaid_roulette() {
 }
 
 Fault unweighted_light() {
-  using Wrong = Tracer<DirectLight<faults::OneUnweighted>, NoRoulette>;
+  using Wrong = Tracer<DirectLight<faults::OneUnweighted, SphereByCone>, NoRoulette>;
+  using Right = Tracer<DirectLight<AllOf, SphereByCone>, NoRoulette>;
   return {"one-light-unweighted",
           "luminaire probability",
           "LuxCore #68",
           {mean_claim(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
            mean_claim<Packet>(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
-           floor_claim<Wrong>("two_lights.one", {}, two_lights(), 1, all_terms),
-           one_against_all<Wrong, Tracer<All, NoRoulette>>("two_lights.one_against_all")}};
+           floor_claim<Wrong>("two_lights.one", {}, two_lights(), 1,
+                              [](const SpheresOverPlane& s, int c) { return s.sum_of_cone_terms(c); }),
+           one_against_all<Wrong, Right>("two_lights.one_against_all")}};
 }
 
 Fault steep_cosine() {

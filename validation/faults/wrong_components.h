@@ -23,6 +23,9 @@ struct ThetaUniformSphere : UniformSphereArea<Real> {
   }
 };
 
+template <class Real>
+using SphereByTheta = SphereByArea<Real, ThetaUniformSphere>;
+
 /// Directions with the cosine's exponent 2 % too large. On record: the class of raytracing.github.io #145.
 template <class Real>
 struct SteepCosineHemisphere : CosineHemisphere<Real> {
@@ -46,7 +49,7 @@ struct UnpaidRoulette {
 struct OneUnweighted {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
-    return term(UniformChoice<Real>(n).sample(source.next()).index, source);
+    return term(UniformChoice<Real>(n).sample(next_pair<Real>(source)).index, source);
   }
 };
 

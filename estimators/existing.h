@@ -1,0 +1,15 @@
+#pragma once
+
+#include <fairlight/estimators/density.h>
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight {
+
+/// value / density, an estimate from one draw; 0 where the density is 0, as the sample does not exist.
+template <class Value, class Measure, class Real>
+Value over_existing(const Value& value, Density<Measure, Real> density) {
+  const Mask<Real> exists = density.value() > Real(0);
+  return select(exists, Value(value / select(exists, density.value(), Real(1))), zero<Value>());
+}
+
+}  // namespace fairlight

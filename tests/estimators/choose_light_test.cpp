@@ -1,0 +1,145 @@
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <support/lights.h>
+#include <support/scripted_source.h>
+#include <support/unit_square.h>
+
+#include <fairlight/estimators/choose_light.h>
+
+namespace fairlight {
+namespace {
+
+using testing::first_lane;
+using testing::ScriptedSource;
+
+const std::vector<double> powers{0, 1, 0, 2, 5, 0};
+
+// The weights of `powers`, as a light might give them at a point.
+double power(int i) { return powers[static_cast<std::size_t>(i)]; }
+const ContributionChoice<double, double (*)(int)> by_contribution(6, power);
+const PowerChoice<double> by_power(powers);
+
+template <class Choice>
+void expect_eighths(const Choice& choice) {
+  EXPECT_EQ(choice.sample({0, 0}).index, 1);
+  EXPECT_EQ(choice.sample({0.124, 0.9}).index, 1);
+  EXPECT_EQ(choice.sample({0.125, 0}).index, 3);
+  EXPECT_EQ(choice.sample({0.375, 0}).index, 4);
+  EXPECT_EQ(choice.sample({1 - 0x1p-53, 1 - 0x1p-53}).index, 4);
+  EXPECT_EQ(choice.sample({0.1, 0}).probability.value(), 0.125);
+  EXPECT_EQ(choice.sample({0.9, 0}).probability.value(), 0.625);
+}
+
+TEST(PowerChoice, CutsTheUnitIntervalInProportion) { expect_eighths(by_power); }
+TEST(ContributionChoice, CutsTheUnitIntervalInProportion) { expect_eighths(by_contribution); }
+
+template <class Choice>
+void expect_nothing(const Choice& choice) {
+  EXPECT_EQ(choice.sample({0.5, 0.5}).probability.value(), 0);
+  ScriptedSource source({0.5, 0.5});
+  const auto no_term = [](int, ScriptedSource&) -> double { throw std::logic_error("nothing was to be chosen"); };
+  EXPECT_EQ(OneBy(choice).template sum<double>(choice.size(), source, no_term), 0);
+}
+
+TEST(PowerChoice, ChoosesNothingAmongNothingOrWhereNothingHasPower) {
+  expect_nothing(PowerChoice<double>(std::vector<double>{}));
+  expect_nothing(PowerChoice<double>(std::vector<double>{0, 0, 0}));
+}
+
+TEST(ContributionChoice, ChoosesNothingAmongNothingOrWhereNothingContributes) {
+  expect_nothing(ContributionChoice<double, double (*)(int)>(0, power));
+  expect_nothing(ContributionChoice<double, double (*)(int)>(1, power));
+}
+
+TEST(PowerChoice, RefusesWhatIsNoWeight) {
+  for (double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(PowerChoice<double>(std::vector<double>{1, wrong}), std::invalid_argument);
+  }
+}
+
+TEST(ContributionChoice, RefusesWhatIsNoWeight) {
+  const auto negative = [](int i) { return i - 1.0; };
+  EXPECT_THROW((ContributionChoice<double, decltype(negative)>(3, negative).sample({0.5, 0})),
+               std::invalid_argument);
+  EXPECT_THROW((ContributionChoice<double, decltype(negative)>(-1, negative)), std::invalid_argument);
+}
+
+// n weights, of which every third is 0, and the others 1, 2, ..., 7 in turn; all 0 but the last where n is below 3.
+std::vector<double> weights(int n) {
+  std::vector<double> all(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i % 3 == 2 ? 0 : static_cast<double>(i % 7 + 1);
+  return all;
+}
+
+RC_GTEST_PROP(PowerChoice, IsTheInverseOfTheCumulativeWeights, ()) {
+  const int n = *rc::gen::inRange(1, 100001);
+  const std::vector<double> all = weights(n);
+  const Vec2<double> u = *testing::unit_point();
+  const PowerChoice<double> choice(all);
+  const auto pick = choice.sample(u);
+  const auto chosen = static_cast<std::size_t>(pick.index);
+  RC_ASSERT(chosen < all.size());
+  double total = 0, below = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) (i < chosen ? below : total) += all[i];
+  total += below;
+  RC_ASSERT(all[chosen] > 0);
+  RC_ASSERT(std::abs(pick.probability.value() - all[chosen] / total) <= 1e-15);
+  RC_ASSERT(below / total <= u.x() + 1e-15 && u.x() <= (below + all[chosen]) / total + 1e-15);
+  const auto weight = [&](int i) { return all[static_cast<std::size_t>(i)]; };
+  const auto again = ContributionChoice<double, decltype(weight)>(n, weight).sample(u);
+  RC_ASSERT(again.index == pick.index || std::abs(below / total - u.x()) < 1e-13 ||
+            std::abs((below + all[chosen]) / total - u.x()) < 1e-13);
+}
+
+// In packets the place where one alternative ends and the next begins is exact to 2^-48.
+TEST(PowerChoice, ChoosesFinelyInPackets) {
+  const std::vector<double> equal(100000, 3.0);
+  const auto constant = [](int) { return Packet(3.0f); };
+  const PowerChoice<Packet> power_choice(equal);
+  const ContributionChoice<Packet, decltype(constant)> contribution_choice(100000, constant);
+  const auto expect = [&](float x, float y, int index) {
+    const Vec2<Packet> u{Packet(x), Packet(y)};
+    EXPECT_EQ(first_lane(xsimd::to_float(power_choice.sample(u).index)), index);
+    EXPECT_EQ(first_lane(xsimd::to_float(contribution_choice.sample(u).index)), index);
+    EXPECT_FLOAT_EQ(static_cast<float>(first_lane(power_choice.sample(u).probability.value())), 1e-5f);
+  };
+  expect(167 * 0x1p-24f, 0.7721f, 0);
+  expect(167 * 0x1p-24f, 0.7722f, 1);
+  expect(0, 0, 0);
+  expect(1 - 0x1p-24f, 1 - 0x1p-24f, 99999);
+}
+
+TEST(PowerChoice, ChoosesLaneByLane) {
+  alignas(64) std::array<float, lanes<Packet>> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = static_cast<float>(i) / static_cast<float>(numbers.size());
+  const auto pick = PowerChoice<Packet>(powers).sample({Packet::load_unaligned(numbers.data()), Packet(0.0f)});
+  std::array<double, lanes<Packet>> indices{}, probabilities{};
+  store_lanes(xsimd::to_float(pick.index), indices.data());
+  store_lanes(pick.probability.value(), probabilities.data());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto one = by_power.sample({static_cast<double>(numbers[i]), 0});
+    EXPECT_EQ(indices[i], one.index);
+    EXPECT_EQ(probabilities[i], one.probability.value());
+  }
+}
+
+TEST(OneBy, DividesTheTermByItsProbability) {
+  ScriptedSource source({0.5, 0, 0.25});
+  const auto term = [](int i, ScriptedSource& numbers) { return i * numbers.next(); };
+  EXPECT_EQ(OneBy(by_power).sum<double>(6, source, term), 4 * 0.25 / 0.625);
+  EXPECT_TRUE(source.exhausted());
+}
+
+TEST(OneBy, RefusesAnotherNumberOfTerms) {
+  ScriptedSource source({0.5, 0, 0.25});
+  const auto term = [](int, ScriptedSource&) { return 1.0; };
+  EXPECT_THROW(OneBy(by_power).sum<double>(5, source, term), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,179 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <support/lights.h>
+#include <support/unit_square.h>
+
+#include <fairlight/estimators/rectangle_light.h>
+
+namespace fairlight {
+namespace {
+
+using testing::length;
+using Light = RectangleLight<double>;
+using Point = Vec3<double>;
+
+static_assert(LightSampling<RectangleByArea<double>>);
+static_assert(LightSampling<RectangleBySolidAngle<Packet>>);
+
+// The face of a cube of edge 2 about the origin fills a sixth of all directions.
+const Light face({-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
+const Point origin(0, 0, 0);
+
+TEST(RectangleBySolidAngle, IsOneOverTheSolidAngle) {
+  const RectangleBySolidAngle<double> light(face);
+  EXPECT_NEAR(light.pdf(origin, {0, 0, 1}).value(), 6 / (4 * M_PI), 1e-15);
+  EXPECT_NEAR(light.sample(origin, {0.3, 0.8}).density.value(), 6 / (4 * M_PI), 1e-15);
+  EXPECT_EQ(light.pdf(origin, {0, 0, -1}).value(), 0);
+  EXPECT_EQ(light.pdf(origin, Point(1.01, 0, 1).normalized()).value(), 0);
+}
+
+TEST(RectangleBySolidAngle, HasItsCornersAndItsMiddleWhereTheSquareHasThem) {
+  const RectangleBySolidAngle<double> light(face);
+  const auto middle = light.sample(origin, {0.5, 0.5});
+  EXPECT_TRUE(middle.direction.isApprox(Point(0, 0, 1), 1e-15));
+  EXPECT_DOUBLE_EQ(middle.distance, 1);
+  const auto corner = light.sample(origin, {0, 0});
+  EXPECT_TRUE((corner.distance * corner.direction).isApprox(Point(-1, -1, 1), 1e-14));
+  const auto other = light.sample(origin, {1 - 0x1p-53, 1 - 0x1p-53});
+  EXPECT_TRUE((other.distance * other.direction).isApprox(Point(1, 1, 1), 1e-14));
+}
+
+TEST(RectangleByArea, HasTheDensityOfAreaTurnedIntoSolidAngle) {
+  const RectangleByArea<double> light(face);
+  EXPECT_DOUBLE_EQ(light.pdf(origin, {0, 0, 1}).value(), 0.25);
+  EXPECT_NEAR(light.sample(origin, {0, 0}).density.value(), 3 * std::sqrt(3) / 4, 1e-15);
+  EXPECT_EQ(light.pdf(origin, {0, 0, -1}).value(), 0);
+}
+
+TEST(RectangleLight, ShinesFromBothFaces) {
+  const Point behind(0, 0, 2);
+  EXPECT_DOUBLE_EQ(RectangleByArea<double>(face).pdf(behind, {0, 0, -1}).value(), 0.25);
+  EXPECT_NEAR(RectangleBySolidAngle<double>(face).sample(behind, {0.1, 0.2}).density.value(), 6 / (4 * M_PI),
+              1e-15);
+  EXPECT_LT(RectangleBySolidAngle<double>(face).sample(behind, {0.1, 0.2}).direction.z(), 0);
+}
+
+TEST(RectangleLight, IsNotSeenFromItsOwnPlane) {
+  for (const Point& in_plane : {Point(3, 0, 1), Point(0, 0, 1), Point(-1, -1, 1)}) {
+    for (const Vec2<double>& u : testing::edge_points()) {
+      EXPECT_EQ(RectangleByArea<double>(face).sample(in_plane, u).density.value(), 0);
+      EXPECT_EQ(RectangleBySolidAngle<double>(face).sample(in_plane, u).density.value(), 0);
+    }
+    EXPECT_EQ(RectangleByArea<double>(face).pdf(in_plane, {-1, 0, 0}).value(), 0);
+    EXPECT_EQ(RectangleBySolidAngle<double>(face).pdf(in_plane, {-1, 0, 0}).value(), 0);
+  }
+}
+
+TEST(RectangleLight, RefusesWhatIsNoRectangle) {
+  EXPECT_THROW(Light(origin, {0, 0, 0}, {0, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(Light(origin, {1, 0, 0}, {0.1, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(Light(origin, {1, 0, 0}, {0, std::nan(""), 0}), std::invalid_argument);
+}
+
+// A rectangle of any size, its corner and its plane at any distance to any side of the origin.
+struct Place {
+  double x, y, z, width, height;
+
+  Light light() const { return Light({x, y, z}, {width, 0, 0}, {0, height, 0}); }
+  double size() const { return std::abs(x) + std::abs(y) + std::abs(z) + width + height; }
+};
+
+Place any_place() {
+  const auto coordinate = [] { return *rc::gen::element(1, -1) * *length(); };
+  return {coordinate(), coordinate(), coordinate(), *length(), *length()};
+}
+
+// The corner and the point on the rectangle are known to some ulp of their distance.
+void assert_in_rectangle(const Place& place, const LightSample<double>& sample) {
+  RC_ASSERT(std::isfinite(sample.density.value()) && sample.density.value() > 0);
+  RC_ASSERT(std::abs(sample.direction.norm() - 1) < 1e-15);
+  const Point hit = sample.distance * sample.direction;
+  const double slack = 2e-15 * place.size();
+  RC_ASSERT(std::abs(hit.z() - place.z) <= 1e-15 * place.size());
+  RC_ASSERT(hit.x() >= place.x - slack && hit.x() <= place.x + place.width + slack);
+  RC_ASSERT(hit.y() >= place.y - slack && hit.y() <= place.y + place.height + slack);
+}
+
+RC_GTEST_PROP(RectangleByArea, HitsTheRectangleAtTheDistanceItGives, ()) {
+  const Place place = any_place();
+  const RectangleByArea<double> light(place.light());
+  assert_in_rectangle(place, light.sample(origin, *testing::unit_point()));
+  for (const Vec2<double>& u : testing::edge_points()) {
+    assert_in_rectangle(place, light.sample(origin, u));
+  }
+}
+
+RC_GTEST_PROP(RectangleBySolidAngle, HitsTheRectangleAtTheDistanceItGives, ()) {
+  const Place place = any_place();
+  const RectangleBySolidAngle<double> light(place.light());
+  assert_in_rectangle(place, light.sample(origin, *testing::unit_point()));
+  for (const Vec2<double>& u : testing::edge_points()) {
+    assert_in_rectangle(place, light.sample(origin, u));
+  }
+}
+
+// What is below the sampled point in the rectangle fills the part u of the solid angle, whose own formula, a sum over four
+// corners of atan(x y / (z r)), cancels: so lengths within a thousand of each
+// other, where the ulp by which a point is off moves the solid angle by up to a thousand.
+RC_GTEST_PROP(RectangleBySolidAngle, PutsThePartUOfTheSolidAngleBelowX, ()) {
+  const auto modest = [] { return *rc::gen::map(rc::gen::inRange(10, 1001), [](int i) { return i / 100.0; }); };
+  const Place place{modest() - 5, modest() - 5, modest(), modest(), modest()};
+  const auto solid_angle = [&](double x0, double x1, double y0, double y1) {
+    const auto corner = [&](double x, double y) { return std::atan2(x * y, place.z * std::hypot(x, y, place.z)); };
+    return corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0);
+  };
+  const Vec2<double> u = *testing::unit_point();
+  const auto sample = RectangleBySolidAngle<double>(place.light()).sample(origin, u);
+  const Point hit = sample.distance * sample.direction;
+  const double all = solid_angle(place.x, place.x + place.width, place.y, place.y + place.height);
+  const double part = solid_angle(place.x, hit.x(), place.y, place.y + place.height);
+  RC_ASSERT(std::abs(sample.density.value() * all - 1) < 1e-14 / all);
+  RC_ASSERT(std::abs(part - u.x() * all) < 1e-12);
+  // and v the sine between the sines of the edges, as seen at x
+  const auto sine = [&](double y) { return y / std::hypot(hit.x(), y, place.z); };
+  const double top = sine(place.y + place.height), bottom = sine(place.y);
+  RC_ASSERT(std::abs(sine(hit.y()) - (bottom + u.y() * (top - bottom))) < 1e-12);
+}
+
+RC_GTEST_PROP(RectangleLight, SamplesWithItsDensity, ()) {
+  const Place place = any_place();
+  RC_PRE(place.size() < 1e4 * std::min({place.width, place.height, std::abs(place.z)}));
+  const Vec2<double> u = Vec2<double>::Constant(1e-4) + (1 - 2e-4) * *testing::unit_point();
+  const auto check = [&](const auto& light) {
+    const auto sample = light.sample(origin, u);
+    RC_ASSERT(std::abs(light.pdf(origin, sample.direction).value() / sample.density.value() - 1) < 1e-10);
+  };
+  check(RectangleByArea<double>(place.light()));
+  check(RectangleBySolidAngle<double>(place.light()));
+}
+
+TEST(RectangleLight, IsTheSameInPackets) {
+  const auto packet = [](double x, double y, double z) { return testing::in_packets({x, y, z}); };
+  const RectangleLight<Packet> packets(packet(-1, -1, 1), packet(2, 0, 0), packet(0, 2, 0));
+  for (const Point& from : {origin, Point(3, -2, 0.5), Point(0.25, 0.5, 7)}) {
+    for (const Vec2<double>& u :
+         {Vec2<double>(0.125, 0.25), Vec2<double>(0.5, 0.75), Vec2<double>(0.625, 0.9375)}) {
+      testing::expect_same_sample(RectangleByArea<double>(face), RectangleByArea<Packet>(packets), from, u);
+      testing::expect_same_sample(RectangleBySolidAngle<double>(face), RectangleBySolidAngle<Packet>(packets), from,
+                                  u);
+    }
+  }
+}
+
+TEST(RectangleLight, IsInItsDomainAtTheEdgesInPackets) {
+  const auto packet = [](double x, double y, double z) { return testing::in_packets({x, y, z}); };
+  for (double size : {1e-3, 1.0, 1e5}) {
+    for (double plane : {0.0, 1e-3, 1.0, 1e5}) {
+      for (double corner : {-0.5 * size, 0.0, 1e-3, 1e5}) {
+        const RectangleLight<Packet> light(packet(corner, corner, plane), packet(size, 0, 0), packet(0, size, 0));
+        testing::expect_finite_at_edges(RectangleByArea<Packet>(light), packet(0, 0, 0));
+        testing::expect_finite_at_edges(RectangleBySolidAngle<Packet>(light), packet(0, 0, 0));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,199 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <support/lights.h>
+#include <support/unit_square.h>
+
+#include <fairlight/estimators/sphere_sampling.h>
+
+namespace fairlight {
+namespace {
+
+using testing::length;
+using Light = SphereLight<double>;
+using Point = Vec3<double>;
+
+static_assert(LightSampling<SphereByArea<double>>);
+static_assert(LightSampling<SphereByVisibleHemisphere<double>>);
+static_assert(LightSampling<SphereByCone<Packet>>);
+
+// A sphere of radius 3 whose centre is 5 above: sin = 3/5, cos = 4/5.
+const Light above({0, 0, 5}, 3);
+const Point origin(0, 0, 0);
+
+TEST(SphereByCone, IsUniformInTheConeThatTheSphereFills) {
+  const SphereByCone<double> light(above);
+  EXPECT_NEAR(light.sample(origin, {0.3, 0.7}).density.value(), 1 / (2 * M_PI * 0.2), 1e-15);
+  EXPECT_NEAR(light.pdf(origin, {0, 0, 1}).value(), 1 / (2 * M_PI * 0.2), 1e-15);
+  EXPECT_EQ(light.pdf(origin, {0, 0, -1}).value(), 0);
+  EXPECT_EQ(light.pdf(origin, {0.61, 0, std::sqrt(1 - 0.61 * 0.61)}).value(), 0);
+}
+
+// On the axis the sphere is 5 - 3 = 2 away, at the edge of the cone sqrt(25 - 9) = 4.
+TEST(SphereByCone, KnowsTheDistance) {
+  const SphereByCone<double> light(above);
+  EXPECT_DOUBLE_EQ(light.sample(origin, {0, 0.7}).distance, 2);
+  EXPECT_NEAR(light.sample(origin, {1 - 0x1p-53, 0.7}).distance, 4, 1e-7);
+}
+
+TEST(SphereByArea, HasTheDensityOfAreaTurnedIntoSolidAngle) {
+  EXPECT_NEAR(SphereByArea<double>(above).pdf(origin, {0, 0, 1}).value(), 4 / (36 * M_PI), 1e-15);
+  EXPECT_NEAR(SphereByArea<double>(above).sample(origin, {0, 0}).density.value(), 4 / (36 * M_PI), 1e-15);
+}
+
+TEST(SphereByArea, HasNoSampleOnTheFarSide) {
+  EXPECT_EQ(SphereByArea<double>(above).sample(origin, {0.9, 0.2}).density.value(), 0);
+  EXPECT_EQ(SphereByArea<double>(above).pdf(origin, {0, 1, 0}).value(), 0);
+}
+
+TEST(SphereByVisibleHemisphere, IsTwiceAsDenseOutsideAndTheSameInside) {
+  const SphereByVisibleHemisphere<double> half(above);
+  const SphereByArea<double> whole(above);
+  const Vec3<double> up(0, 0, 1);
+  EXPECT_DOUBLE_EQ(half.pdf(origin, up).value(), 2 * whole.pdf(origin, up).value());
+  EXPECT_DOUBLE_EQ(half.pdf({0, 1, 5}, up).value(), whole.pdf({0, 1, 5}, up).value());
+}
+
+// Inside, from 1 above the centre: 2 upwards, 4 downwards.
+TEST(SphereLight, IsSeenInEveryDirectionFromInside) {
+  const Point inside(0, 0, 6);
+  for (const Vec3<double>& w : {Vec3<double>(0, 0, 1), Vec3<double>(0, 0, -1)}) {
+    const double distance = 3 - w.z();
+    EXPECT_DOUBLE_EQ(SphereByCone<double>(above).pdf(inside, w).value(), 1 / (4 * M_PI));
+    EXPECT_NEAR(SphereByArea<double>(above).pdf(inside, w).value(), distance * distance / (36 * M_PI), 1e-15);
+  }
+  EXPECT_DOUBLE_EQ(SphereByCone<double>(above).sample(inside, {0, 0}).distance, 4);
+  EXPECT_DOUBLE_EQ(SphereByCone<double>(above).sample({0, 0, 5}, {0.3, 0.2}).distance, 3);
+}
+
+// From its lowest point every direction that leads inwards meets the sphere again, the vertical one 6 above.
+TEST(SphereLight, ShowsItsInnerFaceToItsSurface) {
+  for (const Light& sphere : {above, Light({0, 0, 5}, 3, true)}) {
+    const Point lowest(0, 0, 2);
+    EXPECT_DOUBLE_EQ(SphereByCone<double>(sphere).sample(lowest, {0, 0}).distance, 6);
+    EXPECT_DOUBLE_EQ(SphereByCone<double>(sphere).pdf(lowest, {0, 0, 1}).value(), 1 / (2 * M_PI));
+    EXPECT_EQ(SphereByCone<double>(sphere).pdf(lowest, {0, 0, -1}).value(), 0);
+    EXPECT_NEAR(SphereByArea<double>(sphere).pdf(lowest, {0, 0, 1}).value(), 1 / M_PI, 1e-15);
+    EXPECT_EQ(SphereByArea<double>(sphere).pdf(lowest, {0, 0, -1}).value(), 0);
+    EXPECT_EQ(SphereByArea<double>(sphere).sample(lowest, {0, 0}).density.value(), 0);
+  }
+}
+
+TEST(SphereLight, TakesAPointForOneOfItsSurfaceWhenToldSo) {
+  const Point beside(0, 0, 2 - 1e-12);
+  EXPECT_NEAR(SphereByCone<double>(above).sample(beside, {0, 0}).distance, 1e-12, 1e-15);
+  EXPECT_DOUBLE_EQ(SphereByCone<double>(Light({0, 0, 5}, 3, true)).sample(beside, {0, 0}).distance, 6);
+}
+
+TEST(SphereLight, RefusesARadiusThatIsNotPositive) {
+  EXPECT_THROW(Light(origin, 0), std::invalid_argument);
+  EXPECT_THROW(Light(origin, std::nan("")), std::invalid_argument);
+}
+
+// A point at any distance from a sphere of any size, outside, inside or at the surface.
+struct Place {
+  double radius;
+  Point from;
+  bool on_surface;
+};
+
+Place any_place() {
+  const double radius = *length();
+  const double z = 2 * *testing::unit_number() - 1;
+  const double turn = *testing::unit_number();
+  const Vec3<double> outward = detail::direction_at(z, std::sqrt(1 - z * z), turn);
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:
+      return {radius, (radius + *length()) * outward, false};
+    case 1:
+      return {radius, radius * *testing::unit_number() * outward, false};
+    default:
+      return {radius, radius * outward, true};
+  }
+}
+
+// How far rounding may take a point: that of the place it is seen from and of the direction, some ulp of d + r; near the
+// edge of the sphere, where a ray grazes it, the square root makes that the half of all digits.
+void assert_hits(const Place& place, const LightSample<double>& sample) {
+  const double size = place.from.norm() + place.radius;
+  const Point hit = place.from + sample.distance * sample.direction;
+  RC_ASSERT(sample.distance >= 0);
+  RC_ASSERT(std::isfinite(sample.density.value()));
+  RC_ASSERT(std::abs(sample.direction.norm() - 1) < 1e-15);
+  RC_ASSERT(std::abs(hit.norm() - place.radius) <= 8e-16 * size);
+}
+
+RC_GTEST_PROP(SphereByCone, HitsTheSphereAtTheDistanceItGives, ()) {
+  const Place place = any_place();
+  const SphereByCone<double> light(Light(Point::Zero(), place.radius, place.on_surface));
+  for (const Vec2<double>& u : testing::edge_points()) assert_hits(place, light.sample(place.from, u));
+  assert_hits(place, light.sample(place.from, *testing::unit_point()));
+}
+
+RC_GTEST_PROP(SphereByArea, HitsTheSphereAtTheDistanceItGives, ()) {
+  const Place place = any_place();
+  const Light sphere(Point::Zero(), place.radius, place.on_surface);
+  std::vector<Vec2<double>> points = testing::edge_points();
+  points.push_back(*testing::unit_point());
+  for (const Vec2<double>& u : points) {
+    const auto whole = SphereByArea<double>(sphere).sample(place.from, u);
+    if (whole.density.value() > 0) assert_hits(place, whole);
+    const auto half = SphereByVisibleHemisphere<double>(sphere).sample(place.from, u);
+    if (half.density.value() > 0) assert_hits(place, half);
+  }
+}
+
+// A direction is known to an ulp, so the angle from the axis to 2e-16 / sin(a) of itself: a cone of 1e-8 to 2e-8.
+RC_GTEST_PROP(SphereByCone, SamplesWithItsDensity, ()) {
+  const Place place = any_place();
+  const SphereByCone<double> light(Light(Point::Zero(), place.radius, place.on_surface));
+  const Vec2<double> u = *testing::unit_point();
+  const auto sample = light.sample(place.from, {u.x() * (1 - 1e-6), u.y()});
+  RC_ASSERT(light.pdf(place.from, sample.direction).value() == sample.density.value());
+}
+
+// The densities of area depend on where a ray meets the sphere, known to the rounding of the place and the direction over the
+// cosine: a cone of 1e-6 and more, a thousandth of the radius and more away from it, and a cosine of 0.1 and more.
+RC_GTEST_PROP(SphereByArea, SamplesWithItsDensity, ()) {
+  const Place place = any_place();
+  RC_PRE(place.from.norm() < 1e6 * place.radius);
+  RC_PRE(place.on_surface || std::abs(place.from.norm() / place.radius - 1) > 1e-3);
+  const Light sphere(Point::Zero(), place.radius, place.on_surface);
+  const Vec2<double> u = *testing::unit_point();
+  const auto check = [&](const auto& light) {
+    const auto sample = light.sample(place.from, u);
+    const Point normal = (place.from + sample.distance * sample.direction) / place.radius;
+    if (sample.density.value() == 0 || std::abs(normal.dot(sample.direction)) < 0.1) return;
+    RC_ASSERT(std::abs(light.pdf(place.from, sample.direction).value() / sample.density.value() - 1) < 1e-6);
+  };
+  check(SphereByArea<double>(sphere));
+  check(SphereByVisibleHemisphere<double>(sphere));
+}
+
+TEST(SphereSampling, IsTheSameInPackets) {
+  for (const Point& from : {Point(0.5, -1, 0.25), Point(0.5, -1, 5), Point(40, 3, -7)}) {
+    for (const Vec2<double>& u :
+         {Vec2<double>(0.125, 0.25), Vec2<double>(0.5, 0.75), Vec2<double>(0.625, 0.9375)}) {
+      const SphereLight<Packet> packets(testing::in_packets({0, 0, 5}), Packet(3.0f));
+      testing::expect_same_sample(SphereByArea<double>(above), SphereByArea<Packet>(packets), from, u);
+      testing::expect_same_sample(SphereByVisibleHemisphere<double>(above),
+                                  SphereByVisibleHemisphere<Packet>(packets), from, u);
+      testing::expect_same_sample(SphereByCone<double>(above), SphereByCone<Packet>(packets), from, u);
+    }
+  }
+}
+
+// In floats too a sample at the edges of the square is a number, and where it exists it is a direction.
+TEST(SphereSampling, IsInItsDomainAtTheEdgesInPackets) {
+  for (float distance : {0.0f, 0.5f, 1.0f, 1.000001f, 3.0f, 1e5f}) {
+    const Vec3<Packet> from(Packet(0.0f), Packet(distance), Packet(0.0f));
+    const SphereLight<Packet> sphere(Vec3<Packet>(Packet(0.0f), Packet(0.0f), Packet(0.0f)), Packet(1.0f));
+    testing::expect_finite_at_edges(SphereByArea<Packet>(sphere), from);
+    testing::expect_finite_at_edges(SphereByVisibleHemisphere<Packet>(sphere), from);
+    testing::expect_finite_at_edges(SphereByCone<Packet>(sphere), from);
+  }
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <fairlight/estimators/light_sample.h>
+
+namespace fairlight::testing {
+
+/// Radii and distances from 1e-3 to 1e5, spread evenly over their logarithms.
+inline rc::Gen<double> length() {
+  return rc::gen::map(rc::gen::inRange(-3000, 5001), [](int x) { return std::pow(10.0, x / 1000.0); });
+}
+
+inline Vec3<Packet> in_packets(const Vec3<double>& v) {
+  return {rounded<Packet>(v.x()), rounded<Packet>(v.y()), rounded<Packet>(v.z())};
+}
+
+/// The lanes of a packet, all of which are the same.
+inline double first_lane(const Packet& x) {
+  std::array<double, lanes<Packet>> values{};
+  store_lanes(x, values.data());
+  for (double value : values) EXPECT_EQ(value, values[0]);
+  return values[0];
+}
+
+/// A sample, and the density of its direction, are the same in packets as in double to 1e-5 (some ulp of a float, over the
+/// cosine at the light).
+template <class Light, class PacketLight>
+void expect_same_sample(const Light& light, const PacketLight& packet_light, const Vec3<double>& from,
+                        const Vec2<double>& u) {
+  const LightSample<double> a = light.sample(from, u);
+  const LightSample<Packet> b =
+      packet_light.sample(in_packets(from), Vec2<Packet>(rounded<Packet>(u.x()), rounded<Packet>(u.y())));
+  const double density = a.density.value();
+  EXPECT_NEAR(first_lane(b.density.value()), density, 1e-5 * density);
+  if (!(density > 0)) return;
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(first_lane(b.direction[i]), a.direction[i], 1e-6);
+  if (std::isfinite(a.distance)) {
+    EXPECT_NEAR(first_lane(b.distance), a.distance, 1e-6 * a.distance);
+  } else {
+    EXPECT_EQ(first_lane(b.distance), a.distance);
+  }
+  const double again = light.pdf(from, a.direction).value();
+  EXPECT_NEAR(first_lane(packet_light.pdf(in_packets(from), in_packets(a.direction)).value()), again, 1e-5 * again);
+}
+
+/// At the edges of the square, among them 1 - 2^-24, a sample is finite, and where it exists a unit direction and a
+/// positive distance.
+template <class PacketLight>
+void expect_finite_at_edges(const PacketLight& light, const Vec3<Packet>& from) {
+  for (float x : {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-24f}) {
+    for (float y : {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-24f}) {
+      const LightSample<Packet> sample = light.sample(from, Vec2<Packet>(Packet(x), Packet(y)));
+      const double density = first_lane(sample.density.value());
+      EXPECT_TRUE(density >= 0 && std::isfinite(density)) << x << " " << y;
+      const Vec3<double> w(first_lane(sample.direction.x()), first_lane(sample.direction.y()),
+                           first_lane(sample.direction.z()));
+      EXPECT_TRUE(w.allFinite()) << x << " " << y;
+      if (!(density > 0)) continue;
+      EXPECT_LE(std::abs(w.norm() - 1), 6e-7) << x << " " << y;
+      EXPECT_GE(first_lane(sample.distance), 0) << x << " " << y;
+    }
+  }
+}
+
+}  // namespace fairlight::testing

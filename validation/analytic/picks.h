@@ -1,0 +1,119 @@
+#pragma once
+
+#include <memory>
+#include <numeric>
+
+#include <fairlight/estimators/choose_light.h>
+#include <fairlight/validation/experiment.h>
+
+namespace fairlight {
+
+/// n lights, of whose powers every third is 0 and the others are 1 to 7; what each brings to a point is its power times
+/// a factor between 1 - spread and 1 + spread that the choice does not know.
+struct ManyLights {
+  std::vector<double> powers, terms;
+
+  ManyLights(int n, double spread) {
+    for (int i = 0; i < n; ++i) {
+      powers.push_back(i % 3 == 2 ? 0 : i % 7 + 1);
+      terms.push_back(powers.back() * (1 + spread * (i % 11 - 5) / 5));
+    }
+  }
+
+  double sum() const { return std::accumulate(terms.begin(), terms.end(), 0.0); }
+  double power() const { return std::accumulate(powers.begin(), powers.end(), 0.0); }
+
+  /// The largest of n terms, or of term over probability by power.
+  double largest_of_n() const {
+    return static_cast<double>(terms.size()) * *std::max_element(terms.begin(), terms.end());
+  }
+  double largest_by_power() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      if (powers[i] > 0) largest = std::max(largest, terms[i] / powers[i] * power());
+    }
+    return largest;
+  }
+};
+
+/// A table of numbers, by the index of each lane.
+template <class Real>
+class Table {
+ public:
+  explicit Table(const std::vector<double>& numbers) {
+    for (double x : numbers) numbers_.push_back(static_cast<Lane<Real>>(x));
+  }
+  Real operator()(const Index<Real>& i) const { return gather(numbers_.data(), i); }
+
+ private:
+  std::vector<Lane<Real>> numbers_;
+};
+
+/// The sum of the terms, by `make(type_identity<Real>)`, which gives what sums them; it is made once. The bound is twice the
+/// largest draw: where there is one light the mean is the largest itself, and must lie within.
+template <class Make>
+auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, const ManyLights& lights,
+                   const Make& make, double largest) {
+  const auto each = [&]<class Real>(std::type_identity<Real> real) {
+    return [sum = std::make_shared<const decltype(make(real))>(make(real)),
+            terms = std::make_shared<const Table<Real>>(lights.terms),
+            n = static_cast<int>(lights.terms.size())](auto& source) {
+      const auto term = [&](auto i, auto&) { return (*terms)(Index<Real>(i)); };
+      return sum->template sum<Real>(n, source, term);
+    };
+  };
+  const auto draw = [in_double = each(std::type_identity<double>{}),
+                     in_packets = each(std::type_identity<Packet>{})]<class Real>(std::type_identity<Real>,
+                                                                                  auto& source) {
+    if constexpr (lanes<Real> == 1) {
+      return in_double(source);
+    } else {
+      return in_packets(source);
+    }
+  };
+  return Experiment{name,
+                    std::move(subjects),
+                    "one of " + std::to_string(lights.terms.size()) +
+                        " unequal lights, a third of them black, over its probability "
+                        "sums them all",
+                    "elementary; the paper, A.1",
+                    1,
+                    {{lights.sum(), 0, 2 * largest}},
+                    draw};
+}
+
+/// One of them by power.
+template <template <class> class Choice>
+auto sum_by_power(const std::string& name, const ManyLights& lights, double largest) {
+  const auto make = [=]<class Real>(std::type_identity<Real>) { return OneBy(Choice<Real>(lights.powers)); };
+  return sum_of_lights(name, {"OneBy", "PowerChoice"}, lights, make, largest);
+}
+
+/// One of them by a contribution that differs from draw to draw, and so from lane to lane: at a place x in [0,1), the power of
+/// every second light counts 1 + blur x times.
+struct OneByPlace {
+  template <class Real, UniformSource<Real> Source, class Term>
+  auto sum(int n, Source& source, const Term& term) const {
+    const Real more = Real(1) + rounded<Real>(blur) * Real(source.next());
+    const auto weight = [&](int i) {
+      return Real(rounded<Real>(powers[static_cast<std::size_t>(i)]) * (i % 2 == 0 ? Real(1) : more));
+    };
+    return OneBy(ContributionChoice<Real, decltype(weight)>(n, weight)).template sum<Real>(n, source, term);
+  }
+  std::vector<double> powers;
+  double blur;
+};
+
+/// Bound: the probability of a light is at least its power over (1 + blur) times the sum.
+inline auto sum_by_contribution(const std::string& name, const ManyLights& lights, double blur) {
+  const auto make = [=]<class Real>(std::type_identity<Real>) { return OneByPlace{lights.powers, blur}; };
+  return sum_of_lights(name, {"OneBy", "ContributionChoice"}, lights, make, (1 + blur) * lights.largest_by_power());
+}
+
+/// One of them uniformly.
+inline auto sum_by_number(const std::string& name, const ManyLights& lights) {
+  const auto make = []<class Real>(std::type_identity<Real>) { return OneOf(); };
+  return sum_of_lights(name, {"OneOf", "UniformChoice"}, lights, make, lights.largest_of_n());
+}
+
+}  // namespace fairlight

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <fairlight/estimators/choose_light.h>
+#include <fairlight/estimators/rectangle_light.h>
+#include <fairlight/estimators/sphere_sampling.h>
+
+/// Wrong ways to sample lights, in the place of the right ones.
+namespace fairlight::faults {
+
+/// The solid angle of a sphere with a radius written in: 1 m, whatever the sphere's. On record: Smerity/montelight-cpp.
+template <class Real>
+struct RadiusWrittenIn : SphereByCone<Real> {
+  using SphereByCone<Real>::SphereByCone;
+  LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
+    LightSample<Real> sample = SphereByCone<Real>::sample(from, u);
+    sample.density = SphereByCone<Real>(SphereLight<Real>({Real(1), Real(2), rounded<Real>(2.5)}, Real(1)))
+                         .sample(from, u)
+                         .density;
+    return sample;
+  }
+};
+
+/// Area turned into solid angle by the square of the distance alone, as if every point faced the one that it lights. On record:
+/// the class of Baikal #82 and AdaPT #22.
+template <class Real>
+struct CosineMissing : SphereByVisibleHemisphere<Real> {
+  explicit CosineMissing(const SphereLight<Real>& sphere)
+      : SphereByVisibleHemisphere<Real>(sphere), radius(sphere.radius()) {}
+  LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
+    LightSample<Real> sample = SphereByVisibleHemisphere<Real>::sample(from, u);
+    const Real constant = sample.distance * sample.distance / (Real(2) * pi<Real> * radius * radius);
+    sample.density = Density<SolidAngle, Real>(select(sample.density.value() > Real(0), constant, Real(0)));
+    return sample;
+  }
+  Real radius;
+};
+
+/// A rectangle's density per area taken for one per solid angle. On record: the class of pbrt-v4 d86222e6.
+template <class Real>
+struct AreaForSolidAngle : RectangleByArea<Real> {
+  explicit AreaForSolidAngle(const RectangleLight<Real>& rectangle)
+      : RectangleByArea<Real>(rectangle), area(rectangle.area()) {}
+  LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
+    LightSample<Real> sample = RectangleByArea<Real>::sample(from, u);
+    sample.density = Density<SolidAngle, Real>(Real(1) / area);
+    return sample;
+  }
+  Real area;
+};
+
+/// A light chosen by its power, and weighted by the number of lights. On record: the class of ospray #552.
+template <class Real>
+struct PowerWeightedByNumber : PowerChoice<Real> {
+  using PowerChoice<Real>::PowerChoice;
+  Pick<Real> sample(const Vec2<Real>& u) const {
+    return {PowerChoice<Real>::sample(u).index, Density<Discrete, Real>(Real(1) / rounded<Real>(this->size()))};
+  }
+};
+
+}  // namespace fairlight::faults
