@@ -8,6 +8,7 @@
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/validation/analytic/furnace.h>
 #include <fairlight/validation/analytic/integrals.h>
+#include <fairlight/validation/analytic/lights.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/variances.h>
 
@@ -63,6 +64,28 @@ Contender dice(const std::string& name, int times) {
 Claim all_against_one() {
   return variance_claim("variance.all_against_one", {"AllOf", "OneOf"}, "elementary; the paper, A.1", 370.0 / 395,
                         10, dice<AllOf>("throwing both dice", 1), dice<OneOf>("throwing one of them, twice,", 2));
+}
+
+/// The irradiance from a sphere light, by one shadow ray: half of the points of its area face away, and those that face the floor
+/// do so at all angles; directions of its cone are all alike but for their height.
+template <template <class> class Strategy>
+Contender shadow_ray(const std::string& name, double (SphereFromOrigin::*largest)() const) {
+  const SphereFromOrigin sphere{{2, 3, 6}, 2};
+  const auto draw = sphere_irradiance_claim<Strategy>("", "", sphere, {0, 0, 1}, (sphere.*largest)()).draw;
+  return independent_draws(
+      name, [=](auto& source) { return draw(std::type_identity<double>{}, source); }, 0,
+      (sphere.*largest)() * (1 + 1e-9));
+}
+
+template <class Real>
+using ByArea = SphereByArea<Real>;
+
+Claim cone_against_area() {
+  return variance_claim(
+      "variance.cone_against_area", {"SphereByCone", "SphereByArea"},
+      "Shirley, Wang, Zimmerman 1996; the paper, 3.2", 1.0 / 450, 20,
+      shadow_ray<SphereByCone>("a shadow ray in the cone of a sphere light", &SphereFromOrigin::cone_bound),
+      shadow_ray<ByArea>("one to its area", &SphereFromOrigin::area_bound));
 }
 
 /// The squared cosine's integral from points of Sobol's. A draw pi sqrt(1 - u) falls with u, and n points have one in each interval
@@ -136,6 +159,7 @@ Claim roulette_against_fixed_depth() {
 void add_second_order_claims(std::vector<Claim>& claims) {
   claims.push_back(cosine_against_uniform());
   claims.push_back(lobe_against_cosine());
+  claims.push_back(cone_against_area());
   claims.push_back(all_against_one());
   claims.push_back(sobol_against_independent());
   claims.push_back(sobol_convergence());
