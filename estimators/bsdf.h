@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 #include <fairlight/estimators/concepts.h>
 
 namespace fairlight {
@@ -16,8 +18,9 @@ struct Bounce {
 };
 
 /// What a surface does with light: `eval(out, in)`, the BSDF f without the cosine [1/sr]; `pdf(out, in)`, the density
-/// that `sample` draws `in` with; `sample(out, u)`, a pure function of a point u of the unit square or cube. Where light
-/// leaves in single directions (mirror, glass), f and the density have no value, and are 0.
+/// that `sample` draws `in` with; `sample(out, u)`, a pure function of a point u of the unit cube of `dimensions` numbers. Where light
+/// leaves in single directions (mirror, glass), f and the density have no value, and are 0. Where it is known in closed
+/// form, `albedo(out)` is the mean of a bounce's weight, the integral of f |cos(in)| over `in`.
 template <class T>
 concept Bsdf = requires(const T bsdf, Vec3<typename T::Scalar> w,
                         Eigen::Matrix<typename T::Scalar, T::dimensions, 1> u) {
@@ -25,5 +28,26 @@ concept Bsdf = requires(const T bsdf, Vec3<typename T::Scalar> w,
   { bsdf.pdf(w, w) } -> std::same_as<Density<SolidAngle, typename T::Scalar>>;
   { bsdf.sample(w, u) } -> std::same_as<Bounce<typename T::Scalar>>;
 };
+
+/// What a surface has in common with all others that send light in single directions only.
+template <class Real>
+struct SingleDirections {
+  using Scalar = Real;
+
+  Rgb<Real> eval(const Vec3<Real>&, const Vec3<Real>&) const { return Rgb<Real>::Zero(); }
+  Density<SolidAngle, Real> pdf(const Vec3<Real>&, const Vec3<Real>&) const {
+    return Density<SolidAngle, Real>(Real(0));
+  }
+};
+
+/// Throws std::invalid_argument unless the albedo is in [0,1] in every channel and lane.
+template <class Real>
+void require_albedo(const Rgb<Real>& albedo) {
+  Mask<Real> inside(true);
+  for (const Real& channel : albedo) inside = inside && channel >= Real(0) && channel <= Real(1);
+  if (!all(inside)) {
+    throw std::invalid_argument("an albedo must be in [0,1] per channel (a surface reflects no more than it gets)");
+  }
+}
 
 }  // namespace fairlight

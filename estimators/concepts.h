@@ -2,6 +2,7 @@
 
 #include <concepts>
 
+#include <fairlight/estimators/bound.h>
 #include <fairlight/estimators/density.h>
 #include <fairlight/estimators/vec.h>
 
@@ -31,6 +32,12 @@ concept Sampler = requires(const T sampler, typename T::Point x, Vec2<typename T
 template <class T, class Source>
 concept Estimator = requires(const T estimator, Source source) {
   estimator.estimate(source);
+};
+
+/// An estimator that says where its draws lie. A combinator knows from the bounds of its parts.
+template <class T>
+concept Bounded = requires(const T estimator) {
+  { estimator.bound() } -> std::same_as<Bound>;
 };
 
 }  // namespace fairlight

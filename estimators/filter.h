@@ -1,9 +1,44 @@
 #pragma once
 
+#include <stdexcept>
+
 #include <fairlight/estimators/density.h>
 #include <fairlight/estimators/vec.h>
 
 namespace fairlight {
+
+/// Offsets from a pixel's centre, all alike up to a radius along each axis; half a pixel is the pixel itself.
+/// Formula  p(x, y) = 1 / (4 r^2)
+/// Measure  area [1/pixel^2]
+/// Domain   [-r,r]^2; the density is 0 elsewhere; r > 0, finite (throws std::invalid_argument otherwise)
+/// Random   u in [0,1)^2
+/// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"
+template <class Real>
+class BoxFilter {
+ public:
+  using Scalar = Real;
+  using Point = Vec2<Real>;
+  using Measure = Area;
+
+  /// The radius r [pixel].
+  explicit BoxFilter(Real radius = Real(0.5)) : radius_(radius) {
+    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
+      throw std::invalid_argument("a box filter's radius must be positive and finite (it divides)");
+  }
+
+  Point sample(const Vec2<Real>& u) const {
+    return {radius_ * (Real(2) * u.x() - Real(1)), radius_ * (Real(2) * u.y() - Real(1))};
+  }
+
+  Density<Measure, Real> pdf(const Point& x) const {
+    using std::abs;
+    const Mask<Real> inside = abs(x.x()) <= radius_ && abs(x.y()) <= radius_;
+    return Density<Measure, Real>(select(inside, Real(Real(1) / (Real(4) * radius_ * radius_)), Real(0)));
+  }
+
+ private:
+  Real radius_;
+};
 
 /// Offsets from a pixel's centre, weighted by a tent that reaches the neighbours' centres. A pixel samples its own
 /// filter, so pixels stay independent of each other.

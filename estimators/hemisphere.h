@@ -1,22 +1,9 @@
 #pragma once
 
 #include <fairlight/estimators/density.h>
-#include <fairlight/estimators/vec.h>
+#include <fairlight/estimators/polar.h>
 
 namespace fairlight {
-
-namespace detail {
-
-/// The unit vector at height z above the equator, at the fraction `turn` of a full turn about +z.
-template <class Real>
-Vec3<Real> direction_at(Real z, Real radius, Real turn) {
-  using std::cos;
-  using std::sin;
-  const Real phi = Real(2) * pi<Real> * turn;
-  return {radius * cos(phi), radius * sin(phi), z};
-}
-
-}  // namespace detail
 
 /// Uniform directions about +z.
 /// Formula  p(w) = 1 / (2 pi)
@@ -35,6 +22,9 @@ struct UniformHemisphere {
     const Real z = u.x();
     return detail::direction_at(z, Real(sqrt((Real(1) - z) * (Real(1) + z))), u.y());
   }
+
+  /// The u that `sample` takes to w, to rounding; so of every `invert`.
+  Vec2<Real> invert(const Point& w) const { return {w.z(), detail::turn_about_z(w)}; }
 
   Density<Measure, Real> pdf(const Point& w) const {
     return Density<Measure, Real>(select(w.z() >= Real(0), Real(1) / (Real(2) * pi<Real>), Real(0)));
@@ -58,6 +48,8 @@ struct CosineHemisphere {
     using std::sqrt;
     return detail::direction_at(Real(sqrt(Real(1) - u.x())), Real(sqrt(u.x())), u.y());
   }
+
+  Vec2<Real> invert(const Point& w) const { return {w.x() * w.x() + w.y() * w.y(), detail::turn_about_z(w)}; }
 
   Density<Measure, Real> pdf(const Point& w) const {
     return Density<Measure, Real>(select(w.z() > Real(0), Real(w.z() / pi<Real>), Real(0)));

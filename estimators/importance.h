@@ -7,23 +7,30 @@
 namespace fairlight {
 
 /// The integral of f by importance sampling: f(x) / p(x) with x drawn from p.
-/// Unbiased when p > 0 wherever f is not zero. Bound: sup f/p.
+/// Unbiased when p > 0 wherever f is not zero.
 /// Random   two dimensions
+/// Bound    inf f/p to sup f/p, which whoever knows f and p states
 /// Source   Kahn and Marshall 1953; the paper, 3.1
 template <Sampler Law, class Integrand>
 class Importance {
  public:
-  Importance(Law law, Integrand integrand) : law_(std::move(law)), integrand_(std::move(integrand)) {}
+  using Scalar = typename Law::Scalar;
 
-  template <UniformSource<typename Law::Scalar> Source>
+  Importance(Law law, Integrand integrand, const Bound& bound = {})
+      : law_(std::move(law)), integrand_(std::move(integrand)), bound_(bound) {}
+
+  template <UniformSource<Scalar> Source>
   auto estimate(Source& source) const {
-    const auto x = law_.sample(next_pair<typename Law::Scalar>(source));
+    const auto x = law_.sample(next_pair<Scalar>(source));
     return integrand_(x) / law_.pdf(x);
   }
+
+  Bound bound() const { return bound_; }
 
  private:
   Law law_;
   Integrand integrand_;
+  Bound bound_;
 };
 
 }  // namespace fairlight

@@ -17,7 +17,11 @@ class Lambertian {
   using Scalar = Real;
   static constexpr int dimensions = 2;
 
-  explicit Lambertian(const Rgb<Real>& albedo) : albedo_(albedo) {}
+  /// Throws std::invalid_argument for an albedo outside [0,1].
+  explicit Lambertian(const Rgb<Real>& albedo) : albedo_(albedo) { require_albedo(albedo); }
+
+  /// The same in all directions above the surface.
+  Rgb<Real> albedo(const Vec3<Real>& out) const { return albedo_ * select(out.z() > Real(0), Real(1), Real(0)); }
 
   Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {
     return albedo_ * select(out.z() > Real(0) && in.z() > Real(0), Real(Real(1) / pi<Real>), Real(0));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include <Eigen/Core>
 #include <xsimd/xsimd.hpp>
@@ -77,20 +78,62 @@ xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_
   return xsimd::batch<float, A>::gather(table, i);
 }
 
-/// The high and the low 32 bits of the products of 32-bit words, from those of their halves.
+template <class A>
+std::pair<xsimd::batch<float, A>, xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<float, A>& x) {
+  return xsimd::sincos(x);
+}
+
+/// 0, 1, 2, ... across the lanes.
+template <class A>
+xsimd::batch<std::uint32_t, A> lane_numbers() {
+  constexpr auto numbers = [] {
+    std::array<std::uint32_t, xsimd::batch<std::uint32_t, A>::size> n{};
+    for (std::size_t i = 0; i < n.size(); ++i) n[i] = static_cast<std::uint32_t>(i);
+    return n;
+  }();
+  return xsimd::batch<std::uint32_t, A>::load_unaligned(numbers.data());
+}
+
+namespace detail {
+
+/// A widening multiplication, which xsimd does not have: the 64-bit products of the even 32-bit words; and the even words of
+/// one register between the odd words of another.
+#if defined(__AVX512F__)
+inline __m512i even_products(__m512i a, __m512i b) { return _mm512_mul_epu32(a, b); }
+inline __m512i interleave(__m512i even, __m512i odd) { return _mm512_mask_mov_epi32(even, 0xAAAA, odd); }
+#endif
+#if defined(__AVX2__)
+inline __m256i even_products(__m256i a, __m256i b) { return _mm256_mul_epu32(a, b); }
+inline __m256i interleave(__m256i even, __m256i odd) { return _mm256_blend_epi32(even, odd, 0xAA); }
+#endif
+#if defined(__SSE2__)
+inline __m128i even_products(__m128i a, __m128i b) { return _mm_mul_epu32(a, b); }
+inline __m128i interleave(__m128i even, __m128i odd) {
+  const __m128i low = _mm_set1_epi64x(0xFFFFFFFF);
+  return _mm_or_si128(_mm_and_si128(low, even), _mm_andnot_si128(low, odd));
+}
+#elif defined(__aarch64__)
+inline uint64x2_t even_products(uint64x2_t a, uint64x2_t b) { return vmull_u32(vmovn_u64(a), vmovn_u64(b)); }
+inline uint64x2_t interleave(uint64x2_t even, uint64x2_t odd) {
+  return vbslq_u64(vdupq_n_u64(0xFFFFFFFF), even, odd);
+}
+#endif
+
+}  // namespace detail
+
+/// The high and the low 32 bits of the products of 32-bit words.
 template <class A>
 std::array<xsimd::batch<std::uint32_t, A>, 2> multiply_high_low(std::uint32_t a,
                                                                 const xsimd::batch<std::uint32_t, A>& b) {
   using Word = xsimd::batch<std::uint32_t, A>;
-  const Word half(0xFFFFu);
-  const Word a_low(a & 0xFFFFu);
-  const Word a_high(a >> 16);
-  const Word b_low = b & half;
-  const Word b_high = b >> 16;
-  const Word low = a_low * b_low;
-  const Word cross = a_low * b_high;
-  const Word middle = (low >> 16) + (cross & half) + a_high * b_low;
-  return {a_high * b_high + (cross >> 16) + (middle >> 16), Word(a) * b};
+  using Wide = xsimd::batch<std::uint64_t, A>;
+  const Wide factor(std::uint64_t{a});
+  const Wide words = xsimd::bitwise_cast<Wide>(b);
+  const Wide even = detail::even_products(factor, words);
+  const Wide odd = detail::even_products(factor, words >> 32);
+  const Wide high = detail::interleave(even >> 32, odd);
+  const Wide low = detail::interleave(even, odd << 32);
+  return {xsimd::bitwise_cast<Word>(high), xsimd::bitwise_cast<Word>(low)};
 }
 
 }  // namespace fairlight

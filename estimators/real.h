@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 namespace fairlight {
 
@@ -55,6 +56,12 @@ inline bool all(bool mask) { return mask; }
 /// The whole number below a nonnegative Real.
 inline int whole(double x) { return static_cast<int>(x); }
 inline int whole(float x) { return static_cast<int>(x); }
+
+/// The sine and the cosine of x.
+template <class Real>
+std::pair<Real, Real> sine_and_cosine(Real x) {
+  return {std::sin(x), std::cos(x)};
+}
 
 /// Where two indices are the same, below 2^24.
 template <class Real>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include <fairlight/estimators/concepts.h>
@@ -24,34 +26,62 @@ struct RussianRoulette {
   }
 };
 
-/// An estimator that is run with probability q and counted 1/q times: the same mean. Bound: the estimator's over q.
+/// An estimator that is run with probability q and counted 1/q times: the same mean.
+/// Domain   q in (0,1]; throws std::invalid_argument elsewhere, as with q = 0 there is no mean left
+/// Random   one dimension, and those of the estimator where it is run
+/// Bound    the estimator's over q, or nothing
 /// Source   Arvo and Kirk 1990
-template <class Inner, class Real, class Roulette = RussianRoulette>
+template <class Inner, class Roulette = RussianRoulette>
 class Rouletted {
  public:
-  Rouletted(Inner inner, Real q) : inner_(std::move(inner)), q_(q) {}
+  using Scalar = typename Inner::Scalar;
 
-  template <UniformSource<Real> Source>
+  Rouletted(Inner inner, double q) : inner_(std::move(inner)), q_(q) {
+    if (!(q > 0 && q <= 1)) throw std::invalid_argument("a probability must be in (0,1] (survivors are paid 1/q)");
+  }
+
+  template <UniformSource<Scalar> Source>
   auto estimate(Source& source) const {
-    const auto [alive, weight] = Roulette::template play<Real>(q_, source.next());
+    const auto [alive, weight] = Roulette::template play<Scalar>(rounded<Scalar>(q_), source.next());
     using Value = decltype(inner_.estimate(source));
     if (!any(alive)) return zero<Value>();
     return select(alive, Value(inner_.estimate(source) * weight), zero<Value>());
   }
 
+  Bound bound() const { return or_nothing(1 / q_ * inner_.bound()); }
+
  private:
   Inner inner_;
-  Real q_;
+  double q_;
 };
 
+/// The roulettes of a path are asked before each bounce: `play(albedo, throughput, depth, source)`, with the reflectance
+/// where the path is, what it carries there, and how many bounces it has made.
+
 /// A path goes on with the largest of the surface's three reflectances, so black absorbs and white reflects.
-/// Bound: the throughput never exceeds 1 with cosine-weighted bounces.
+/// Random   one dimension
+/// Bound    the throughput never exceeds 1 with cosine-weighted bounces
 /// Source   the paper, 3.2.1
 template <class Roulette = RussianRoulette>
 struct RouletteByReflectance {
   template <class Real, UniformSource<Real> Source>
-  static Survival<Real> play(const Rgb<Real>& albedo, Source& source) {
+  static Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>&, int, Source& source) {
     return Roulette::template play<Real>(max_channel(albedo), source.next());
+  }
+};
+
+/// From a given depth on a path goes on with the largest channel of what it carries, where that is below 1: survivors
+/// carry 1, so that no work is spent on what hardly counts.
+/// Random   one dimension, none before the first depth
+/// Bound    the throughput is at most 1 after roulette, or what it was: it never exceeds 1 where no bounce weighs more
+/// Source   Arvo and Kirk 1990; Pharr, Jakob, Humphreys, PBR 4ed, 13.4
+template <int first_depth = 0, class Roulette = RussianRoulette>
+struct RouletteByThroughput {
+  template <class Real, UniformSource<Real> Source>
+  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>& throughput, int depth, Source& source) {
+    using std::min;
+    if (depth < first_depth) return {Mask<Real>(true), Real(1)};
+    return Roulette::template play<Real>(Real(min(Real(1), max_channel(throughput))), source.next());
   }
 };
 
@@ -59,7 +89,7 @@ struct RouletteByReflectance {
 /// Source   the paper, 3.2.1 ("truncated light paths after a fixed depth")
 struct NoRoulette {
   template <class Real, UniformSource<Real> Source>
-  static Survival<Real> play(const Rgb<Real>&, Source&) {
+  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>&, int, Source&) {
     return {Mask<Real>(true), Real(1)};
   }
 };

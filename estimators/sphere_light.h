@@ -2,8 +2,7 @@
 
 #include <stdexcept>
 
-#include <fairlight/estimators/density.h>
-#include <fairlight/estimators/vec.h>
+#include <fairlight/estimators/sphere_directions.h>
 
 namespace fairlight {
 
@@ -27,21 +26,15 @@ class UniformSphereArea {
   }
 
   /// The outward unit normal at the point.
-  Point sample(const Vec2<Real>& u) const {
-    using std::cos;
-    using std::sin;
-    using std::sqrt;
-    const Real z = Real(1) - Real(2) * u.x();
-    const Real radius = Real(2) * sqrt(u.x() * (Real(1) - u.x()));
-    const Real phi = Real(2) * pi<Real> * u.y();
-    return {radius * cos(phi), radius * sin(phi), z};
-  }
+  Point sample(const Vec2<Real>& u) const { return normals_.sample(u); }
 
-  Density<Measure, Real> pdf(const Point&) const {
-    return Density<Measure, Real>(Real(1) / (Real(4) * pi<Real> * radius_ * radius_));
-  }
+  Vec2<Real> invert(const Point& normal) const { return normals_.invert(normal); }
+
+  /// As seen from the centre every point is head on.
+  Density<Measure, Real> pdf(const Point& normal) const { return to_area(normals_.pdf(normal), radius_, Real(1)); }
 
  private:
+  UniformSphere<Real> normals_;
   Real radius_;
 };
 

@@ -92,14 +92,10 @@ class PhiloxStream<xsimd::batch<float, A>> {
 
   /// Of the samples `first`, `first` + 1, ..., one a lane.
   PhiloxStream(const StreamKey& key, std::uint32_t unit, std::uint64_t first)
-      : key_{Word(key.words()[0]), Word(key.words()[1])} {
-    std::array<std::uint32_t, lanes<Real>> low{};
-    std::array<std::uint32_t, lanes<Real>> high{};
-    for (std::size_t i = 0; i < lanes<Real>; ++i) {
-      low[i] = static_cast<std::uint32_t>(first + i);
-      high[i] = static_cast<std::uint32_t>((first + i) >> 32);
-    }
-    counter_ = {Word(0u), Word::load_unaligned(low.data()), Word::load_unaligned(high.data()), Word(unit)};
+      : key_{Word(key.words()[0]), Word(key.words()[1])},
+        counter_{Word(0u), Word(static_cast<std::uint32_t>(first)) + lane_numbers<A>(),
+                 Word(static_cast<std::uint32_t>(first >> 32)), Word(unit)} {
+    counter_[2] += select(counter_[1] < lane_numbers<A>(), Word(1u), Word(0u));  // where the low word has wrapped
   }
 
   /// The next dimension.

@@ -1,40 +1,134 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
+#include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/lens.h>
 #include <fairlight/render/scene.h>
 
 namespace fairlight {
 
-/// A pinhole. Images are upright, pixel (0, 0) at the top left, pixels square.
+/// The height of the image plane at distance 1, for a vertical field of view in degrees. Throws std::invalid_argument
+/// unless it is in (0, 180).
+inline double image_height_of(double field_of_view) {
+  if (!(field_of_view > 0 && field_of_view < 180))
+    throw std::invalid_argument("the field of view must be between 0 and 180 degrees (the image is a plane)");
+  return 2 * std::tan(field_of_view * std::numbers::pi / 360);
+}
+
+/// Where a camera stands, what it looks at, and through what: a pinhole, or a lens.
+struct CameraSettings {
+  Vec3<double> eye{0, 0, 0};                 ///< [m]
+  Vec3<double> look{0, 0, -1};               ///< the direction of the axis, of any length
+  Vec3<double> up{0, 1, 0};                  ///< any direction but the axis
+  double image_height = 1;                   ///< of the image plane at distance 1
+  double start = 0;                          ///< rays start on the plane at this distance along the axis [m]
+  double aperture_radius = 0;                ///< of the lens [m]; 0 for a pinhole
+  double focus_distance = infinity<double>;  ///< what is seen sharp, along the axis [m]
+  int blades = 0;                            ///< of the aperture; 0 for a round one
+  double blade_rotation = 0;                 ///< of its first corner, from the right, downwards [rad]
+};
+
+/// A pinhole or a thin lens. Images are upright, pixel (0, 0) at the top left, pixels square.
 class Camera {
  public:
-  /// `eye` [m]; `look` any direction but straight up or down; `image_height` the height of the image plane at
-  /// distance 1; rays start on the plane at `start` [m] along the look direction. Throws std::invalid_argument
-  /// otherwise.
-  Camera(const Vec3<double>& eye, const Vec3<double>& look, double image_height, double start)
-      : eye_(eye), look_(look.normalized()), right_(look_.cross(Vec3<double>(0, 1, 0))), start_(start) {
+  /// Throws std::invalid_argument for settings that have no picture.
+  explicit Camera(const CameraSettings& settings)
+      : settings_(settings), look_(settings.look.normalized()), right_(look_.cross(settings.up.normalized())) {
     if (!(right_.norm() > 1e-6))
       throw std::invalid_argument("the camera looks straight up or down (up is undefined)");
-    if (!(image_height > 0)) throw std::invalid_argument("the image plane's height must be positive");
-    if (!(start >= 0)) throw std::invalid_argument("rays must start at or in front of the eye");
-    right_ = right_.normalized() * image_height;
+    if (!settings.eye.allFinite()) throw std::invalid_argument("the camera's place must be finite");
+    if (!(settings.image_height > 0 && settings.image_height < infinity<double>))
+      throw std::invalid_argument("the image plane's height must be positive and finite");
+    if (!(settings.start >= 0 && settings.start < infinity<double>))
+      throw std::invalid_argument("rays must start at or in front of the eye");
+    if (!(settings.aperture_radius >= 0 && settings.aperture_radius < infinity<double>))
+      throw std::invalid_argument("the aperture's radius must be finite and not negative (0 is a pinhole)");
+    if (!(settings.focus_distance > 0))
+      throw std::invalid_argument("the camera must be focused in front of itself (it sees nothing behind)");
+    if (settings.blades != 0 && settings.blades < 3)
+      throw std::invalid_argument("an aperture needs three blades or more (or 0, and is round)");
+    right_ = right_.normalized() * settings.image_height;
     down_ = look_.cross(right_);
   }
 
-  /// The ray through the point (x, y) of the image, in pixels from the top left corner, of an image width x height.
+  const CameraSettings& settings() const { return settings_; }
+  bool has_lens() const { return settings_.aperture_radius != 0; }
+
+  /// The ray of a pinhole through the point (x, y) of the image, in pixels from the top left corner, of an image width x
+  /// height.
   template <class Real>
   Ray<Real> ray(Real x, Real y, int width, int height) const {
-    const Real across = (x - Real(0.5) * Real(width)) / Real(height);
-    const Real along = y / Real(height) - Real(0.5);
-    const Vec3<Real> direction = look_ + right_ * across + down_ * along;
-    return {eye_ + direction * start_, direction.normalized(), -1};
+    const Vec3<Real> direction =
+        in<Real>(look_) + in<Real>(right_) * across(x, width, height) + in<Real>(down_) * along(y, height);
+    return starting(in<Real>(settings_.eye), direction);
+  }
+
+  /// The ray through the same point and a point of the lens, which takes two numbers of the source; without a lens, the
+  /// pinhole's, which takes none.
+  template <class Real, UniformSource<Real> Source>
+  Ray<Real> ray(Real x, Real y, int width, int height, Source& source) const {
+    if (!has_lens()) return ray(x, y, width, height);
+    const Real scale = rounded<Real>(settings_.image_height);
+    const Vec3<Real> pinhole(scale * across(x, width, height), scale * along(y, height), Real(1));
+    const LensRay<Real> local = through_lens<Real>(pinhole, next_pair<Real>(source));
+    return starting(Vec3<Real>(in<Real>(settings_.eye) + to_world(local.origin)), to_world(local.direction));
   }
 
  private:
-  Vec3<double> eye_, look_, right_, down_;
-  double start_;
+  template <class Real>
+  static Vec3<Real> in(const Vec3<double>& v) {
+    return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
+  }
+
+  // The place on the image, from its middle, in image heights.
+  template <class Real>
+  static Real across(Real x, int width, int height) {
+    return (x - Real(0.5) * rounded<Real>(width)) / rounded<Real>(height);
+  }
+  template <class Real>
+  static Real along(Real y, int height) {
+    return y / rounded<Real>(height) - Real(0.5);
+  }
+
+  template <class Real>
+  LensRay<Real> through_lens(const Vec3<Real>& pinhole, const Vec2<Real>& u) const {
+    const Real focus = rounded<Real>(settings_.focus_distance);
+    const Real radius = rounded<Real>(settings_.aperture_radius);
+    if (settings_.blades == 0) return ThinLens(focus, CircularAperture<Real>(radius)).ray(pinhole, u);
+    const PolygonalAperture<Real> aperture(radius, settings_.blades, rounded<Real>(settings_.blade_rotation));
+    return ThinLens(focus, aperture).ray(pinhole, u);
+  }
+
+  // From the lens's frame; right_ and down_ are as long as the image is high.
+  template <class Real>
+  Vec3<Real> to_world(const Vec3<Real>& local) const {
+    const Real scale = rounded<Real>(settings_.image_height);
+    return in<Real>(look_) * local.z() + in<Real>(right_) * (local.x() / scale) +
+           in<Real>(down_) * (local.y() / scale);
+  }
+
+  // From a point of the lens along a direction that goes 1 along the axis.
+  template <class Real>
+  Ray<Real> starting(const Vec3<Real>& origin, const Vec3<Real>& direction) const {
+    return {origin + direction * rounded<Real>(settings_.start), direction / direction.norm(), -1};
+  }
+
+  CameraSettings settings_;
+  Vec3<double> look_, right_, down_;
 };
+
+/// The ray of one sample of pixel (x, y): through a place that the filter draws about its middle, and a point of the lens.
+/// Takes two numbers of the source, and two more when there is a lens.
+template <class Filter, UniformSource<typename Filter::Scalar> Source>
+Ray<typename Filter::Scalar> pixel_ray(const Camera& camera, const Filter& filter, int x, int y, int width,
+                                       int height, Source& source) {
+  using Real = typename Filter::Scalar;
+  const Vec2<Real> middle(rounded<Real>(x + 0.5), rounded<Real>(y + 0.5));
+  const Vec2<Real> place = filter.sample(next_pair<Real>(source)) + middle;
+  return camera.ray<Real>(place.x(), place.y(), width, height, source);
+}
 
 }  // namespace fairlight

@@ -22,7 +22,9 @@ void add_walls(Scene& scene) {
   scene.add_wall({50, 81.6, 81.6}, {0, 1, 0}, radius, grey, black);
 }
 
-Camera box_camera() { return Camera({50, 52, 295.6}, {0, -0.042612, -1}, /*image_height=*/0.5135, /*start=*/140); }
+Camera box_camera() {
+  return Camera({.eye = {50, 52, 295.6}, .look = {0, -0.042612, -1}, .image_height = 0.5135, .start = 140});
+}
 
 View cornell_simple() {
   Scene scene;

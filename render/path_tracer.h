@@ -72,7 +72,7 @@ class PathTracer {
 
       if (depth + 1 == max_depth_ && !Direct::counts_emission(max_depth_)) return sum;
 
-      const auto [alive, weight] = Roulette::template play<Real>(surface.albedo, source);
+      const auto [alive, weight] = Roulette::template play<Real>(surface.albedo, throughput, depth, source);
       if (!alive) return sum;
       const auto bounce = bsdf.sample_world(next_pair<Real>(source));
       throughput *= bounce.weight * weight;

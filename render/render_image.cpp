@@ -59,8 +59,7 @@ std::uint64_t render_tile(const View& view, const Tracer& tracer, const StreamKe
           static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(film.width()) + static_cast<std::uint32_t>(x);
       for (std::uint64_t sample = range.first; sample < range.last; ++sample) {
         PhiloxStream<double> source(key, pixel, sample);
-        const Vec2<double> place = filter.sample(next_pair<double>(source)) + Vec2<double>(x + 0.5, y + 0.5);
-        const Ray<double> ray = view.camera.ray(place.x(), place.y(), film.width(), film.height());
+        const Ray<double> ray = pixel_ray(view.camera, filter, x, y, film.width(), film.height(), source);
         film.add(x, y, tracer.template radiance<double>(scene, ray, source));
       }
     }

@@ -43,8 +43,8 @@ Rosenblatt::Rosenblatt(SquareDensity density) : density_(std::move(density)) {
   for (int k = 0; k < knots; ++k) {
     const double low = double(k) / knots;
     const double high = double(k + 1) / knots;
-    const double mass = Rule::integrate([&](double s) { return strip(s, 1); }, low, high);
-    slabs_.push_back({sum, strip(low + inside, 1) / knots, strip(high - inside, 1) / knots, mass});
+    const double mass = Rule::integrate([&](double s) { return marginal(s); }, low, high);
+    slabs_.push_back({sum, marginal(low + inside) / knots, marginal(high - inside) / knots, mass});
     sum += mass;
   }
   if (!(std::abs(sum - 1) <= 1e-6)) {
@@ -52,14 +52,20 @@ Rosenblatt::Rosenblatt(SquareDensity density) : density_(std::move(density)) {
   }
 }
 
-double Rosenblatt::strip(double s, double t) const {
+Rosenblatt::Strip Rosenblatt::strip(double s, double t) const {
   const auto f = [&](double y) { return checked_density(density_(s, y), s, y); };
-  double sum = 0;
-  for (int k = 0; k < pieces && double(k) / pieces < t; ++k) {
-    sum += Rule::integrate(f, double(k) / pieces, std::min(double(k + 1) / pieces, t));
+  Strip strip{0, 0};
+  for (int k = 0; k < pieces; ++k) {
+    const double low = double(k) / pieces;
+    const double high = double(k + 1) / pieces;
+    const double piece = Rule::integrate(f, low, high);
+    strip.whole += piece;
+    strip.part += t >= high ? piece : t > low ? Rule::integrate(f, low, t) : 0;
   }
-  return sum;
+  return strip;
 }
+
+double Rosenblatt::marginal(double s) const { return strip(s, 0).whole; }
 
 // In a slab, the cubic that has its mass and, at its ends, its marginal (Hermite).
 Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
@@ -68,7 +74,8 @@ Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
   const double x = s * knots - knot;
   const double u = slab.before + slab.mass * x * x * (3 - 2 * x) + slab.first * x * (1 - x) * (1 - x) -
                    slab.last * x * x * (1 - x);
-  return {u, strip(s, t) / strip(s, 1)};
+  const Strip across = strip(s, t);
+  return {u, across.part / across.whole};
 }
 
 Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,

@@ -30,7 +30,13 @@ class Rosenblatt {
     double before, first, last, mass;
   };
 
-  double strip(double s, double t) const;  // integral of the density over [0, t] at s
+  // At s, the integrals of the density over [0, t] and over [0, 1].
+  struct Strip {
+    double part, whole;
+  };
+
+  Strip strip(double s, double t) const;
+  double marginal(double s) const;
 
   SquareDensity density_;
   std::vector<Slab> slabs_;

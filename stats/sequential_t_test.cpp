@@ -90,7 +90,7 @@ class GroupSequential {
       draw_to(static_cast<std::uint64_t>(std::ceil(fraction * static_cast<double>(total))));
       const double alpha = trial_.alpha * (1 - part_for_giving_up) * std::pow(fraction, 3);
       const double beta = trial_.beta * fraction;
-      const Finding finding = look(alpha - spent_alpha, beta - spent_beta);
+      Finding finding = look(alpha - spent_alpha, beta - spent_beta);
       if (finding.verdict != Verdict::undecided || fraction == 1) return finding;
       spent_alpha = alpha;
       spent_beta = beta;

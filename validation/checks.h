@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/point_set.h>
 #include <fairlight/estimators/stream.h>
 #include <fairlight/stats/law_test.h>
 #include <fairlight/stats/mean_test.h>
@@ -85,6 +86,42 @@ Finding check_mean(const Trial& trial, const std::vector<Reference>& references,
   return test_means(trial, rounded_references<Real>(references), draw_block);
 }
 
+/// How many points a replicate has that is tested: a power of two, for Sobol's points to be a net, and few, since
+/// the core test needs some 5 range / (margin mean) replicates however little they vary.
+inline constexpr std::uint32_t points_a_replicate = 64;
+
+/// The mean of an estimator over the points of one replicate of a set.
+template <PointSet Set, class Draw>
+auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
+  const Set set(key, static_cast<std::uint32_t>(replicate), n);
+  auto source = set.source(0);
+  auto total = draw(source);
+  for (std::uint32_t i = 1; i < n; ++i) {
+    auto next = set.source(i);
+    total += draw(next);
+  }
+  return decltype(total)(total / static_cast<double>(n));
+}
+
+/// The mean of an estimator from a point set, in double: whole replicates are the draws of the core test. Their
+/// range is that of the estimator, but for the n roundings of the sum.
+template <PointSet Set, class Draw>
+Finding check_replicates(const Trial& trial, std::vector<Reference> references, const Draw& draw,
+                         std::uint32_t n = points_a_replicate) {
+  for (Reference& r : references) {
+    const double slack = n * ulp<double> * std::max(std::abs(r.lower), std::abs(r.upper));
+    r.lower -= r.lower == 0 ? 0 : slack;
+    r.upper += slack;
+  }
+  const StreamKey key(trial.seed, trial.claim);
+  return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    for (std::size_t i = 0; i < channels[0].size(); ++i) {
+      const auto mean = replicate_mean<Set>(key, first + i, n, draw);
+      for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = detail::channel_of(mean, c);
+    }
+  });
+}
+
 /// Every draw equals the reference to within `ulps` units in the last place: an estimator without variance.
 template <class Real = double, class Draw>
 Finding check_constant(const Trial& trial, double reference, int ulps, const Draw& draw) {
@@ -153,8 +190,8 @@ Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
       [&](std::uint64_t i) { return typename Law::Point(draws.point(i)); });
 }
 
-/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact, and
-/// blind to fine waves.
+/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact,
+/// and blind to fine waves.
 template <Sampler Drawn, Sampler Law, class Domain>
 Finding check_law_moments(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain) {
   Draws<Drawn> draws(drawn, StreamKey(trial.seed, trial.claim));

@@ -12,7 +12,7 @@ namespace fairlight {
 /// One row of the registry: something that is claimed of the kit, and how it is checked.
 struct Claim {
   std::string name;                   ///< dotted: what.how.claim
-  std::string kind;                   ///< law | mean | constant | agreement
+  std::string kind;                   ///< law | mean | constant | agreement | second order
   std::vector<std::string> subjects;  ///< the components that it is about, by their type's name
   std::string statement;              ///< in words, for a reader
   std::string source;                 ///< where the answer comes from

@@ -4,6 +4,9 @@
 #include <type_traits>
 #include <vector>
 
+#include <fairlight/estimators/latin_hypercube.h>
+#include <fairlight/estimators/sobol.h>
+#include <fairlight/estimators/stratified.h>
 #include <fairlight/validation/checks.h>
 
 namespace fairlight {
@@ -30,6 +33,10 @@ struct Experiment {
   Draw draw;                          ///< draw(std::type_identity<Real>, source) gives a Real or an Rgb<Real>
 };
 
+template <class Draw>
+Experiment(std::string, std::vector<std::string>, std::string, std::string, double, std::vector<Reference>, Draw)
+    -> Experiment<Draw>;
+
 /// The row of the registry for the mean of an experiment, from independent numbers.
 template <class Real = double, class Draw>
 Claim mean_claim(const Experiment<Draw>& e) {
@@ -47,11 +54,41 @@ Claim mean_claim(const Experiment<Draw>& e) {
           .real = real_name<Real>()};
 }
 
-/// In double and in packets.
+/// A kind of point set, and how it is named in a claim.
+template <template <class> class Set>
+struct PointSetKind {
+  std::string suffix, subject;
+};
+inline const PointSetKind<OwenSobol> sobol_points{"sobol", "OwenSobol"};
+inline const PointSetKind<Stratified> stratified_points{"stratified", "Stratified"};
+inline const PointSetKind<LatinHypercube> latin_points{"latin", "LatinHypercube"};
+
+/// The row for the mean of an experiment from the points of a set, by replicates. Its margin is twice that from
+/// independent numbers, which costs a quarter: what a set can do wrong, it does grossly.
+template <template <class> class Set, class Draw>
+Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& points) {
+  std::vector<std::string> subjects = e.subjects;
+  subjects.insert(subjects.end(), {points.subject, "PointSource"});
+  return {.name = e.name + "." + points.suffix,
+          .kind = "mean",
+          .subjects = subjects,
+          .statement = e.statement + ", over the points of a replicate",
+          .source = e.source,
+          .margin_factor = 2 * e.margin_factor,
+          .check = [e](const Trial& trial) {
+            return check_replicates<Set<double>>(
+                trial, e.references, [&](auto& source) { return e.draw(std::type_identity<double>{}, source); });
+          }};
+}
+
+/// From independent numbers, in double and in packets; and from the points of every set.
 template <class Draw>
 void add_mean(std::vector<Claim>& claims, const Experiment<Draw>& e) {
   claims.push_back(mean_claim<double>(e));
   claims.push_back(mean_claim<Packet>(e));
+  claims.push_back(replicates_claim(e, sobol_points));
+  claims.push_back(replicates_claim(e, stratified_points));
+  claims.push_back(replicates_claim(e, latin_points));
 }
 
 }  // namespace fairlight

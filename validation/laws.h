@@ -21,6 +21,9 @@ struct LawExperiment {
   }
 };
 
+template <class Make, class Domain>
+LawExperiment(std::string, std::string, std::string, Make, Domain) -> LawExperiment<Make, Domain>;
+
 /// By chi-square. The margin is a relative L2 distance of laws, five times that of a mean.
 template <class Make, class Domain>
 Claim law_claim(const LawExperiment<Make, Domain>& e) {

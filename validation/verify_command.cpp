@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include <fairlight/render/parallel.h>
@@ -30,6 +31,20 @@ int list(const std::vector<const Claim*>& claims) {
 
 int exit_status(Verdict verdict) { return verdict == Verdict::certified ? 0 : verdict == Verdict::biased ? 1 : 3; }
 
+// What the table does not say of itself: what a finer margin costs, as draws go with its inverse square, and how much rests on limits.
+void print_depth(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
+  const auto resting_on = [&](Guarantee guarantee) {
+    return std::count_if(outcomes.begin(), outcomes.end(),
+                         [=](const Outcome& outcome) { return outcome.finding.guarantee == guarantee; });
+  };
+  std::printf(
+      "guarantees: %td exact, %td asymptotic (chi-square: a law of large counts, at least 80 a cell), %td "
+      "deterministic\n",
+      resting_on(Guarantee::exact), resting_on(Guarantee::asymptotic), resting_on(Guarantee::deterministic));
+  std::printf("deeper: --margin %.0e takes at most 100 times as long, here %.0f min\n",
+              conformance.terms.margin / 10, std::ceil(100 * seconds / 60));
+}
+
 void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
   const Verdict verdict = overall(outcomes);
   const auto failures = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& outcome) {
@@ -42,6 +57,7 @@ void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conf
   }
   std::printf(" (%.1f s, seed %s, false alarms %.0e a run, miss rate %.0e a claim)\n", seconds,
               seed_text(conformance.terms.seed).c_str(), conformance.terms.budget, conformance.terms.beta);
+  print_depth(outcomes, conformance, seconds);
 }
 
 int verify(const VerifyOptions& options) {

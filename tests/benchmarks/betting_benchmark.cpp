@@ -24,7 +24,7 @@ void sum_the_draws(benchmark::State& state) {
     for (std::uint64_t i = 0; i < draws; ++i) sum += draw(key, i);
     benchmark::DoNotOptimize(sum);
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * draws));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(draws));
 }
 
 void test_the_draws(benchmark::State& state) {
@@ -40,7 +40,7 @@ void test_the_draws(benchmark::State& state) {
     }
     benchmark::DoNotOptimize(test.verdict());
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * draws));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(draws));
 }
 
 BENCHMARK(sum_the_draws)->Unit(benchmark::kMillisecond)->Repetitions(3)->ReportAggregatesOnly();

@@ -1,7 +1,9 @@
 #include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <support/filters.h>
 #include <support/unit_square.h>
 
 #include <fairlight/estimators/concepts.h>
@@ -11,6 +13,45 @@ namespace fairlight {
 namespace {
 
 static_assert(Sampler<TentFilter<double>>);
+
+static_assert(Sampler<BoxFilter<double>>);
+
+constexpr auto box = []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.5)); };
+
+TEST(BoxFilter, IsOneOverItsArea) {
+  EXPECT_EQ(BoxFilter<double>().pdf({0, 0}).value(), 1);
+  EXPECT_EQ(BoxFilter<double>().pdf({0.5, -0.5}).value(), 1);
+  EXPECT_EQ(BoxFilter<double>().pdf({0.51, 0}).value(), 0);
+  EXPECT_EQ(BoxFilter<double>().pdf({0, -0.51}).value(), 0);
+  EXPECT_EQ(BoxFilter<double>(2).pdf({-1.9, 1.9}).value(), 1.0 / 16);
+}
+
+TEST(BoxFilter, ScalesTheSquare) {
+  EXPECT_EQ(BoxFilter<double>(2).sample({0.25, 0.75}), Vec2<double>(-1, 1));
+  EXPECT_EQ(BoxFilter<double>().sample({0, 0.5}), Vec2<double>(-0.5, 0));
+}
+
+TEST(BoxFilter, StaysInItsDomainAtTheEdgesOfTheSquare) {
+  testing::expect_in_support_at_the_edges<double>(box, 0.5);
+  testing::expect_in_support_at_the_edges<float>(box, 0.5);
+  testing::expect_in_support_at_the_edges<Packet>(box, 0.5);
+}
+
+TEST(BoxFilter, IsTheSameInPackets) { testing::expect_packets_like_double(box, 0.5, 1e-6, 1e-6); }
+
+RC_GTEST_PROP(BoxFilter, HasTheJacobianOneOverItsDensity, ()) {
+  const BoxFilter<double> filter(std::exp(std::log(1e-3) + std::log(1e8) * *testing::unit_number()));
+  const Vec2<double> u = Vec2<double>::Constant(0.01) + 0.98 * *testing::unit_point();
+  RC_ASSERT(testing::has_the_jacobian_one_over_its_density(filter, u, 1e-8));
+}
+
+TEST(BoxFilter, RefusesARadiusThatIsNone) {
+  EXPECT_THROW(BoxFilter<double>(0), std::invalid_argument);
+  EXPECT_THROW(BoxFilter<double>(-1), std::invalid_argument);
+  EXPECT_THROW(BoxFilter<double>{infinity<double>}, std::invalid_argument);
+  EXPECT_THROW(BoxFilter<double>{std::nan("")}, std::invalid_argument);
+  EXPECT_THROW(BoxFilter<Packet>(Packet(-1)), std::invalid_argument);
+}
 
 TEST(TentFilter, IsOneAtTheCentreAndZeroAtTheNeighbours) {
   const TentFilter<double> tent;

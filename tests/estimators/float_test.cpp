@@ -1,7 +1,7 @@
 #include <cmath>
-#include <vector>
 
 #include <gtest/gtest.h>
+#include <support/unit_square.h>
 
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/lambertian.h>
@@ -11,19 +11,13 @@
 namespace fairlight {
 namespace {
 
-constexpr float epsilon = 0x1p-23f;
+using testing::edge_points;
 
-std::vector<Vec2<float>> edges() {
-  std::vector<Vec2<float>> points;
-  for (float a : {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-24f}) {
-    for (float b : {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-24f}) points.emplace_back(a, b);
-  }
-  return points;
-}
+constexpr float epsilon = 0x1p-23f;
 
 template <class Law>
 void expect_unit_vectors_in_the_support(const Law& law) {
-  for (const Vec2<float>& u : edges()) {
+  for (const Vec2<float>& u : edge_points<float>()) {
     const Vec3<float> w = law.sample(u);
     EXPECT_LE(std::abs(w.norm() - 1), 2 * epsilon) << u.transpose();
     EXPECT_GT(law.pdf(w).value(), 0) << u.transpose();
@@ -37,13 +31,13 @@ TEST(SinglePrecision, KeepsDirectionsInTheirHemisphere) {
 }
 
 TEST(SinglePrecision, KeepsOffsetsInTheTent) {
-  for (const Vec2<float>& u : edges()) {
+  for (const Vec2<float>& u : edge_points<float>()) {
     EXPECT_LE(TentFilter<float>().sample(u).cwiseAbs().maxCoeff(), 1) << u.transpose();
   }
 }
 
 TEST(SinglePrecision, WeighsACosineBounceByTheAlbedo) {
-  for (const Vec2<float>& u : edges()) {
+  for (const Vec2<float>& u : edge_points<float>()) {
     const auto bounce = Lambertian<float>(Rgb<float>(0.75f, 0.5f, 0.25f)).sample({0, 0, 1}, u);
     EXPECT_LE((bounce.weight - Rgb<float>(0.75f, 0.5f, 0.25f)).abs().maxCoeff(), 2 * epsilon) << u.transpose();
   }

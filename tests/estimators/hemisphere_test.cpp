@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <support/unit_square.h>
+#include <support/direction_law.h>
 
-#include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/hemisphere.h>
 
 namespace fairlight {
 namespace {
 
-using testing::edge_points;
 using testing::unit_point;
 
 static_assert(Sampler<UniformHemisphere<double>>);
@@ -47,34 +45,46 @@ using Laws = ::testing::Types<UniformHemisphere<double>, CosineHemisphere<double
 TYPED_TEST_SUITE(HemisphereLaw, Laws);
 
 TYPED_TEST(HemisphereLaw, GivesUnitVectorsInItsSupportAtTheEdgesOfTheSquare) {
-  const TypeParam law;
-  for (const Vec2<double>& u : edge_points()) {
-    const Vec3<double> w = law.sample(u);
-    EXPECT_LE(std::abs(w.norm() - 1), 4e-16) << u.transpose();
-    EXPECT_GT(law.pdf(w).value(), 0) << u.transpose();
-  }
+  testing::expect_unit_vectors_in_the_support(TypeParam());
+  testing::expect_inverses_in_the_square(TypeParam());
 }
 
 TYPED_TEST(HemisphereLaw, GivesUnitVectorsInItsSupport) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const TypeParam law;
     const Vec3<double> w = law.sample(*unit_point());
     RC_ASSERT(std::abs(w.norm() - 1) <= 4e-16);
     RC_ASSERT(law.pdf(w).value() > 0);
-  });
+  }));
 }
 
-// The warp maps areas of the square to solid angles: |dw/du x dw/dv| = 1/p.
 TYPED_TEST(HemisphereLaw, HasTheJacobianOneOverItsDensity) {
-  rc::check([] {
-    const TypeParam law;
-    const Vec2<double> u = Vec2<double>::Constant(0.01) + 0.98 * *unit_point();
-    constexpr double h = 1e-6;
-    const Vec3<double> du = (law.sample(u + Vec2<double>(h, 0)) - law.sample(u - Vec2<double>(h, 0))) / (2 * h);
-    const Vec3<double> dv = (law.sample(u + Vec2<double>(0, h)) - law.sample(u - Vec2<double>(0, h))) / (2 * h);
-    const double jacobian = du.cross(dv).norm() * law.pdf(law.sample(u)).value();
-    RC_ASSERT(std::abs(jacobian - 1) < 1e-6);
-  });
+  EXPECT_TRUE(rc::check([] { testing::check_jacobian(TypeParam()); }));
+}
+
+TYPED_TEST(HemisphereLaw, IsInvertedByItsInverse) {
+  EXPECT_TRUE(rc::check([] { testing::check_round_trip(TypeParam(), 4e-15); }));
+}
+
+TEST(UniformHemisphere, IsTheSameInPackets) {
+  testing::expect_packets_agree([]<class Real>(std::type_identity<Real>) { return UniformHemisphere<Real>(); },
+                                2e-6);
+  testing::expect_inverses_in_the_square(UniformHemisphere<Packet>());
+}
+
+TEST(CosineHemisphere, IsTheSameInPackets) {
+  testing::expect_packets_agree([]<class Real>(std::type_identity<Real>) { return CosineHemisphere<Real>(); },
+                                2e-6);
+  testing::expect_inverses_in_the_square(CosineHemisphere<Packet>());
+}
+
+// The numbers that give a direction can be read off it: the height, or its square, and the turn.
+TEST(UniformHemisphere, IsInvertedByReadingItsHeightAndTurn) {
+  EXPECT_TRUE(UniformHemisphere<double>().invert({0, 0.8, 0.6}).isApprox(Vec2<double>(0.6, 0.25), 1e-15));
+}
+
+TEST(CosineHemisphere, IsInvertedByReadingTheDiskItProjectsTo) {
+  EXPECT_TRUE(CosineHemisphere<double>().invert({-0.6, 0, 0.8}).isApprox(Vec2<double>(0.36, 0.5), 1e-15));
 }
 
 }  // namespace

@@ -16,5 +16,11 @@ TEST(Importance, IsTheIntegrandOverTheDensityAtTheDraw) {
   EXPECT_TRUE(source.exhausted());
 }
 
+TEST(Importance, KnowsNoBoundUntilItIsTold) {
+  const auto height = [](const Vec3<double>& w) { return w.z(); };
+  EXPECT_EQ(Importance(UniformHemisphere<double>{}, height).bound(), Bound{});
+  EXPECT_EQ(Importance(UniformHemisphere<double>{}, height, {0, 2 * M_PI}).bound(), (Bound{0, 2 * M_PI}));
+}
+
 }  // namespace
 }  // namespace fairlight

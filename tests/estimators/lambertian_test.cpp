@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -30,12 +31,12 @@ TEST(Lambertian, WeighsAUniformBounceTwiceTheCosine) {
 
 template <template <class> class Directions>
 void check_weight() {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const Lambertian<double, Directions> surface(albedo);
     const auto bounce = surface.sample(up, *testing::unit_point());
     const Rgb<double> expected = surface.eval(up, bounce.in) * bounce.in.z() / bounce.density.value();
     RC_ASSERT((bounce.weight - expected).abs().maxCoeff() <= 1e-15);
-  });
+  }));
 }
 
 TEST(Lambertian, WeighsABounceByReflectanceCosineAndDensity) {
@@ -48,6 +49,21 @@ TEST(Lambertian, GivesFiniteWeightsAtTheEdgesOfTheSquare) {
     EXPECT_TRUE(Lambertian<double>(albedo).sample(up, u).weight.isApprox(albedo, 1e-15)) << u.transpose();
     const auto uniform = Lambertian<double, UniformHemisphere>(albedo).sample(up, u);
     EXPECT_TRUE((uniform.weight >= 0).all() && (uniform.weight <= 2).all()) << u.transpose();
+  }
+}
+
+TEST(Lambertian, ReflectsItsAlbedoInAllDirectionsAbove) {
+  const Lambertian<double> surface(albedo);
+  EXPECT_TRUE((surface.albedo({0, 0.8, 0.6}) == albedo).all());
+  EXPECT_TRUE((surface.albedo({0, 0.8, -0.6}) == 0).all());
+}
+
+TEST(Lambertian, WantsAnAlbedoInZeroToOne) {
+  EXPECT_NO_THROW(Lambertian<double>(Rgb<double>(0, 0.5, 1)));
+  for (double wrong : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(Lambertian<double>(Rgb<double>(0.5, 0.5, wrong)), std::invalid_argument) << wrong;
+    EXPECT_THROW(Lambertian<Packet>(Rgb<Packet>::Constant(Packet(static_cast<float>(wrong)))),
+                 std::invalid_argument);
   }
 }
 

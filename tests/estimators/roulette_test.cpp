@@ -1,3 +1,7 @@
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <support/scripted_source.h>
@@ -29,30 +33,78 @@ RC_GTEST_PROP(RussianRoulette, LeavesTheMeanAsItWas, ()) {
 }
 
 struct Two {
+  using Scalar = double;
   double estimate(ScriptedSource&) const { return 2; }
+  Bound bound() const { return {2, 2}; }
 };
 
 TEST(Rouletted, IsTheEstimatorOverQOrNothing) {
-  const Rouletted<Two, double> estimator(Two{}, 0.5);
+  const Rouletted estimator(Two{}, 0.5);
   ScriptedSource survives({0.4});
   ScriptedSource dies({0.6});
   EXPECT_EQ(estimator.estimate(survives), 4);
   EXPECT_EQ(estimator.estimate(dies), 0);
+  EXPECT_EQ(estimator.bound(), (Bound{0, 4}));
 }
+
+TEST(Rouletted, RefusesWhatIsNoProbability) {
+  for (double q : {0.0, -0.5, 1.5, std::nan("")}) EXPECT_THROW(Rouletted(Two{}, q), std::invalid_argument) << q;
+}
+
+const Rgb<double> throughput(0.5, 0.125, 0.25);
 
 TEST(RouletteByReflectance, GoesOnWithTheLargestReflectance) {
   const Rgb<double> albedo(0.25, 0.5, 0.125);
   ScriptedSource below({0.49});
   ScriptedSource above({0.51});
-  EXPECT_TRUE(RouletteByReflectance<>::play<double>(albedo, below).alive);
-  EXPECT_FALSE(RouletteByReflectance<>::play<double>(albedo, above).alive);
+  EXPECT_TRUE(RouletteByReflectance<>::play<double>(albedo, throughput, 0, below).alive);
+  EXPECT_FALSE(RouletteByReflectance<>::play<double>(albedo, throughput, 0, above).alive);
+}
+
+TEST(RouletteByThroughput, GoesOnWithTheLargestChannelOfTheThroughput) {
+  const Rgb<double> albedo(0.9, 0.9, 0.9);
+  ScriptedSource below({0.49});
+  ScriptedSource above({0.51});
+  const auto survival = RouletteByThroughput<>::play<double>(albedo, throughput, 0, below);
+  EXPECT_TRUE(survival.alive);
+  EXPECT_EQ(survival.weight, 2);
+  EXPECT_FALSE(RouletteByThroughput<>::play<double>(albedo, throughput, 0, above).alive);
+}
+
+TEST(RouletteByThroughput, NeverEndsAPathThatCarriesOneOrMore) {
+  ScriptedSource largest({1 - 0x1p-53});
+  const auto survival = RouletteByThroughput<>::play<double>(throughput, Rgb<double>(0.5, 3, 1), 0, largest);
+  EXPECT_TRUE(survival.alive);
+  EXPECT_EQ(survival.weight, 1);
+}
+
+TEST(RouletteByThroughput, WaitsForItsFirstDepthAndTakesNoNumberBefore) {
+  ScriptedSource one({0.51});
+  EXPECT_TRUE(RouletteByThroughput<2>::play<double>(throughput, throughput, 1, one).alive);
+  EXPECT_FALSE(RouletteByThroughput<2>::play<double>(throughput, throughput, 2, one).alive);
 }
 
 TEST(NoRoulette, AlwaysGoesOnAndTakesNoNumber) {
   ScriptedSource none({});
-  const auto survival = NoRoulette::play<double>(Rgb<double>::Zero(), none);
+  const auto survival = NoRoulette::play<double>(Rgb<double>::Zero(), Rgb<double>::Zero(), 5, none);
   EXPECT_TRUE(survival.alive);
   EXPECT_EQ(survival.weight, 1);
+}
+
+// The lanes of a packet play for themselves.
+TEST(RouletteByThroughput, PlaysLaneByLane) {
+  struct Ramp {
+    Packet next() const {
+      std::array<float, lanes<Packet>> numbers{};
+      for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = float(i) / float(numbers.size());
+      return Packet::load_unaligned(numbers.data());
+    }
+  } ramp;
+  const Rgb<Packet> half = Rgb<Packet>::Constant(Packet(0.5f));
+  const auto [alive, weight] = RouletteByThroughput<>::play<Packet>(half, half, 0, ramp);
+  std::array<double, lanes<Packet>> values{};
+  store_lanes(Packet(select(alive, weight, Packet(0.0f))), values.data());
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], 2 * i < values.size() ? 2 : 0) << i;
 }
 
 }  // namespace

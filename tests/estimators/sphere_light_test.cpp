@@ -22,6 +22,11 @@ TEST(UniformSphereArea, TakesHeightFromTheFirstNumberAndTurnFromTheSecond) {
   EXPECT_TRUE(sphere.sample({0.2, 0.25}).isApprox(Vec3<double>(0, 0.8, 0.6), 1e-15));
 }
 
+TEST(UniformSphereArea, IsInvertedByItsInverse) {
+  const UniformSphereArea<double> sphere(5);
+  EXPECT_TRUE(sphere.invert(sphere.sample({0.2, 0.25})).isApprox(Vec2<double>(0.2, 0.25), 1e-15));
+}
+
 TEST(UniformSphereArea, GivesUnitNormalsAtTheEdgesOfTheSquare) {
   for (const Vec2<double>& u : testing::edge_points()) {
     EXPECT_LE(std::abs(UniformSphereArea<double>(1).sample(u).norm() - 1), 4e-16) << u.transpose();

@@ -56,6 +56,15 @@ TEST(PathTracer, PaysSurvivorsOfRoulette) {
   EXPECT_TRUE(source.exhausted());
 }
 
+TEST(PathTracer, TellsRouletteWhatAPathCarriesAndHowDeepItIs) {
+  using Later = PathTracer<CosineHemisphere, NoDirectLight, RouletteByThroughput<1>>;
+  // A bounce without roulette, to a throughput of 1/2, 1/4, 1/8; survives 0.4, bounces, and dies at 0.51.
+  ScriptedSource source({0.3, 0.7, 0.4, 0.3, 0.7, 0.51});
+  const Rgb<double> radiance = Later().radiance(furnace(), ray, source);
+  EXPECT_TRUE(radiance.isApprox(emitted * (1 + albedo + albedo * albedo / 0.5), 1e-14));
+  EXPECT_TRUE(source.exhausted());
+}
+
 TEST(PathTracer, SeesNothingWhereThereIsNothing) {
   ScriptedSource none({});
   EXPECT_TRUE((Bouncing(3).radiance(Scene(), ray, none) == 0).all());

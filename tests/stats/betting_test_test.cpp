@@ -23,6 +23,27 @@ Verdict feed(BettingTest& test, int ones, int period, int blocks) {
   return test.verdict();
 }
 
+// Half of the draws 0.9, half 1.1, about a mean of 1 + shift.
+Verdict verdict_with_rounding(double shift, double rounding) {
+  BettingTest test({.mean = 1, .margin = 0.01, .lower = 0, .upper = 2, .rounding = rounding}, 1e-6, 0.01);
+  for (int i = 0; i < 100'000 && test.verdict() == Verdict::undecided; ++i) {
+    test.add(std::vector{0.9 + shift, 1.1 + shift});
+  }
+  return test.verdict();
+}
+
+TEST(BettingTest, CallsOnlyABiasBeyondTheRoundingOne) {
+  EXPECT_EQ(verdict_with_rounding(0.012, 0), Verdict::biased);
+  EXPECT_EQ(verdict_with_rounding(-0.012, 0), Verdict::biased);
+  EXPECT_EQ(verdict_with_rounding(0.002, 0.0025), Verdict::certified);
+  EXPECT_EQ(verdict_with_rounding(-0.002, 0.0025), Verdict::certified);
+  EXPECT_EQ(verdict_with_rounding(0.1, 0.0025), Verdict::biased);
+  EXPECT_THROW(BettingTest({.mean = 1, .margin = 0.01, .lower = 0, .upper = 2, .rounding = 0.005}, 1e-6, 0.01),
+               std::invalid_argument);
+  EXPECT_THROW(BettingTest({.mean = 1, .margin = 0.01, .lower = 0, .upper = 2, .rounding = -1e-3}, 1e-6, 0.01),
+               std::invalid_argument);
+}
+
 TEST(BettingTest, CertifiesDrawsThatAverageToTheMean) {
   BettingTest test(coin(0.01), alpha, beta);
   EXPECT_EQ(feed(test, 5, 10, 100000), Verdict::certified);

@@ -20,12 +20,14 @@ inline rc::Gen<Vec2<double>> unit_point() {
                       [](const std::pair<double, double>& u) { return Vec2<double>(u.first, u.second); });
 }
 
-/// The corners and edges of [0,1)^2: 0, the smallest number, a half and 1 - 2^-53, in all pairs.
-inline std::vector<Vec2<double>> edge_points() {
-  std::vector<Vec2<double>> points;
-  const std::vector<double> edges{0, 0x1p-53, 0.5, 1 - 0x1p-53};
-  for (double a : edges) {
-    for (double b : edges) points.emplace_back(a, b);
+/// The corners and edges of [0,1)^2: 0, the smallest number of a source, a half and the largest, in all pairs; of
+/// double 2^-53 and 1 - 2^-53.
+template <class Real = double>
+std::vector<Vec2<Real>> edge_points() {
+  constexpr Lane<Real> tiny = ulp<Real> / 2;
+  std::vector<Vec2<Real>> points;
+  for (Lane<Real> a : {Lane<Real>(0), tiny, Lane<Real>(0.5), 1 - tiny}) {
+    for (Lane<Real> b : {Lane<Real>(0), tiny, Lane<Real>(0.5), 1 - tiny}) points.emplace_back(Real(a), Real(b));
   }
   return points;
 }

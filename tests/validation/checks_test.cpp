@@ -1,9 +1,11 @@
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/stats/domains.h>
 #include <fairlight/validation/checks.h>
 
@@ -40,6 +42,79 @@ TEST(CheckMean, NamesADrawThatIsOutOfItsRange) {
     EXPECT_EQ(finding.verdict, Verdict::biased) << wrong;
     EXPECT_NE(finding.note.find("draw 0"), std::string::npos) << finding.note;
   }
+}
+
+// In packets a bias of the arithmetic's rounding, 5e-6, is no bias; one of 1e-3 is.
+TEST(CheckMean, AllowsPacketsTheirRounding) {
+  const Trial fine{"checks_test", 1, 1e-6, 0.01, 1e-3};
+  const auto off = [](float bias) { return [bias](auto&) { return Packet(2 * (1 + bias)); }; };
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(2e-6f)).verdict, Verdict::certified);
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(2e-3f)).verdict, Verdict::biased);
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(-2e-3f)).verdict, Verdict::biased);
+  EXPECT_EQ(check_mean<Packet>(fine, {{2, 0, 4}}, off(0)).rounding, 5e-6);
+}
+
+TEST(CheckMean, DrawsEveryLane) {
+  const Trial fine{"checks_test", 1, 1e-6, 0.01, 1e-4};  // so that blocks grow beyond one lane
+  for (std::size_t lane = 0; lane < lanes<Packet>; ++lane) {
+    std::array<float, lanes<Packet>> values{};
+    values.fill(0.5f);
+    values[lane] = 100;
+    const auto draw = [&](auto&) { return Packet::load_unaligned(values.data()); };
+    const Finding finding = check_mean<Packet>(fine, {{0.5, 0, 1}}, draw);
+    EXPECT_NE(finding.note.find(" is 100 "), std::string::npos) << lane << ": " << finding.note;
+  }
+}
+
+// A cosine hemisphere in packets whose density is `factor` times too large.
+struct PacketHemisphere : CosineHemisphere<Packet> {
+  float factor;
+  explicit PacketHemisphere(float f) : factor(f) {}
+  Density<SolidAngle, Packet> pdf(const Vec3<Packet>& w) const {
+    return Density<SolidAngle, Packet>(factor * CosineHemisphere<Packet>::pdf(w).value());
+  }
+};
+
+TEST(CheckDensity, HoldsPacketsToDouble) {
+  const CosineHemisphere<double> law;
+  EXPECT_EQ(check_density(trial, PacketHemisphere(1), law).verdict, Verdict::certified);
+  EXPECT_EQ(check_density(trial, PacketHemisphere(1.1f), law).verdict, Verdict::biased);
+  EXPECT_EQ(check_density(trial, PacketHemisphere(0.9f), law).verdict, Verdict::biased);
+  EXPECT_EQ(check_density(trial, PacketHemisphere(3), law).verdict, Verdict::biased);
+}
+
+TEST(ReplicateMean, IsTheMeanOverThePointsOfOneReplicate) {
+  using Set = LatinHypercube<double>;
+  const StreamKey key(1, "test");
+  const auto draw = [](auto& source) { return source.next(); };
+  const Set set(key, 5, 2);
+  EXPECT_EQ(replicate_mean<Set>(key, 5, 2, draw), (set.source(0).next() + set.source(1).next()) / 2);
+  EXPECT_NE(replicate_mean<Set>(key, 5, 2, draw), replicate_mean<Set>(key, 6, 2, draw));
+}
+
+TEST(CheckReplicates, CertifiesTheMeanAndOnlyTheMean) {
+  const auto check = [](double mean) {
+    return check_replicates<LatinHypercube<double>>(trial, {{0.5, 0, 1}, {mean, 1, 3}},
+                                                    [](auto& source) {
+                                                      const double u = source.next();
+                                                      return Eigen::Array2d(u, 2 * u + 1);
+                                                    })
+        .verdict;
+  };
+  EXPECT_EQ(check(2), Verdict::certified);
+  EXPECT_EQ(check(2.2), Verdict::biased);
+  EXPECT_EQ(check(1.8), Verdict::biased);
+}
+
+// (0.1 + 0.1 + 0.1) / 3 rounds to more than 0.1.
+TEST(CheckReplicates, AllowsTheRoundingOfTheSumAndNoMore) {
+  const auto note = [](double value) {
+    return check_replicates<LatinHypercube<double>>(
+               trial, {{0.05, 0, 0.1}}, [value](auto&) { return value; }, 3)
+        .note;
+  };
+  EXPECT_EQ(note(0.1).find("draw 0"), std::string::npos) << note(0.1);
+  EXPECT_NE(note(0.1 * (1 + 1e-14)).find("draw 0"), std::string::npos);
 }
 
 TEST(CheckConstant, AllowsAFewUlpAndNoMore) {

@@ -1,13 +1,51 @@
+#include <fairlight/estimators/blackman_harris_filter.h>
 #include <fairlight/estimators/filter.h>
+#include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/validation/analytic/lens.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/laws.h>
 
 namespace fairlight {
 
-void add_camera_claims(std::vector<Claim>& claims) {
-  add_law(claims, LawExperiment{"filter.tent", "TentFilter", "Ernst, Stamminger, Greiner 2006",
+namespace {
+
+void add_filters(std::vector<Claim>& claims) {
+  const std::string source = "Ernst, Stamminger, Greiner 2006";
+  add_law(claims, LawExperiment{"filter.box", "BoxFilter", source,
+                                []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.75)); },
+                                SquareDomain{-0.75, 0.75}});
+  add_law(claims, LawExperiment{"filter.tent", "TentFilter", source,
                                 []<class Real>(std::type_identity<Real>) { return TentFilter<Real>{}; },
                                 SquareDomain{-1, 1}});
+  add_law(claims, gaussian_law<GaussianFilter>());
+  add_law(claims,
+          LawExperiment{"filter.blackman_harris", "BlackmanHarrisFilter", "Harris 1978",
+                        []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); },
+                        SquareDomain{-1.5, 1.5}});
+}
+
+void add_apertures(std::vector<Claim>& claims) {
+  add_law(claims, circular_aperture_law<CircularAperture>());
+  claims.push_back(polygonal_aperture_claim<double>());
+  claims.push_back(polygonal_aperture_claim<Packet>());
+  add_mean(claims, polygon_second_moment(6));
+  add_uniform_fields<double>(claims);
+  add_uniform_fields<Packet>(claims);
+}
+
+void add_lenses(std::vector<Claim>& claims) {
+  add_mean(claims, circle_of_confusion<CircularAperture, ThinLens>(3.5));
+  add_mean(claims, circle_of_confusion<CircularAperture, ThinLens>(0.75));
+  claims.push_back(focus_claim<double, ThinLens>());
+  claims.push_back(focus_claim<Packet, ThinLens>());
+}
+
+}  // namespace
+
+void add_camera_claims(std::vector<Claim>& claims) {
+  add_filters(claims);
+  add_apertures(claims);
+  add_lenses(claims);
 }
 
 }  // namespace fairlight

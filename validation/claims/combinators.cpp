@@ -1,12 +1,46 @@
-#include <fairlight/validation/analytic/integrals.h>
+#include <fairlight/validation/analytic/combinations.h>
+#include <fairlight/validation/analytic/furnace.h>
+#include <fairlight/validation/analytic/roulette_walk.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
+namespace {
+
+void add_roulette(std::vector<Claim>& claims) {
+  add_mean(claims, roulette_integral<RussianRoulette>("roulette.integral", 0.3));
+  add_mean(claims, roulette_walk<RouletteByReflectance<>, CosineHemisphere>("roulette.walk.reflectance",
+                                                                            "RouletteByReflectance", 0));
+  add_mean(claims, roulette_walk<RouletteByThroughput<>, UniformHemisphere>("roulette.walk.throughput",
+                                                                            "RouletteByThroughput", 0));
+  add_mean(claims, roulette_walk<RouletteByThroughput<1>, UniformHemisphere>("roulette.walk.throughput_later",
+                                                                             "RouletteByThroughput", 1));
+  claims.push_back(furnace_claim<PathTracer<CosineHemisphere, NoDirectLight, RouletteByThroughput<>>>(
+      "furnace.throughput", {"PathTracer", "NoDirectLight", "RouletteByThroughput"}));
+}
+
+void add_mis(std::vector<Claim>& claims) {
+  add_mean(claims, multi_sample_peaks<BalanceHeuristic>("mis.peaks.balance"));
+  add_mean(claims, multi_sample_peaks<PowerHeuristic>("mis.peaks.power"));
+  add_mean(claims, multi_sample_peaks<MaximumHeuristic>("mis.peaks.maximum"));
+  add_mean(claims, one_sample_peaks<BalanceHeuristic>("mis.one_sample.balance"));
+  add_mean(claims, one_sample_peaks<PowerHeuristic>("mis.one_sample.power"));
+  add_mean(claims, one_sample_peaks<MaximumHeuristic>("mis.one_sample.maximum"));
+  add_mean(claims, solid_angle_by_two<PowerHeuristic>("mis.hemisphere.power"));
+}
+
+}  // namespace
 
 void add_combinator_claims(std::vector<Claim>& claims) {
-  add_mean(claims, roulette_integral<RussianRoulette>("roulette.integral", 0.3));
   add_mean(claims, two_dice<AllOf>("pick.all.dice", {"AllOf"}));
   add_mean(claims, two_dice<OneOf>("pick.one.dice", {"OneOf", "UniformChoice"}));
+  add_roulette(claims);
+  add_mean(claims, splitting_integral<Splitting>("splitting.whole", 3));
+  add_mean(claims, splitting_integral<Splitting>("splitting.fraction", 2.25));
+  add_mean(claims, control_variate_integral<ControlVariate>("control_variate.integral"));
+  add_mean(claims, stratified_integral<StratifiedMean>("stratified.integral"));
+  add_mis(claims);
+  add_mean(claims, nested_peaks("nested.peaks"));
+  add_mean(claims, nested_strata("nested.strata"));
 }
 
 }  // namespace fairlight

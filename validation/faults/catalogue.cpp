@@ -78,8 +78,8 @@ const std::vector<Fault>& fault_catalogue() {
   static const std::vector<Fault> faults = [] {
     std::vector<Fault> all{theta_uniform(), unpaid_roulette(), unweighted_light(), steep_cosine(),
                            emission_twice()};
-    for (const auto more : {microfacet_faults, material_faults, light_faults, combinator_faults, random_faults,
-                            camera_faults, allocation_faults}) {
+    for (const auto more : {direction_faults, microfacet_faults, material_faults, light_faults, combinator_faults,
+                            random_faults, camera_faults, allocation_faults}) {
       for (const Fault& fault : more()) all.push_back(fault);
     }
     return all;

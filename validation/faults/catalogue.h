@@ -18,6 +18,7 @@ struct Fault {
 const std::vector<Fault>& fault_catalogue();
 
 /// Its parts, each in a file of its own.
+std::vector<Fault> direction_faults();
 std::vector<Fault> microfacet_faults();
 std::vector<Fault> material_faults();
 std::vector<Fault> light_faults();

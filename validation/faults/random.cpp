@@ -1,7 +1,43 @@
+#include <fairlight/validation/analytic/point_sets.h>
 #include <fairlight/validation/faults/catalogue.h>
+#include <fairlight/validation/faults/wrong_point_sets.h>
 
 namespace fairlight {
+namespace {
 
-std::vector<Fault> random_faults() { return {}; }
+Fault one_replicate() {
+  const PointSetKind<faults::OneReplicateSobol> wrong{"sobol", ""};
+  return {"sobol-one-replicate", "streams", "the class of SORT #35", {replicates_uncorrelated_claim(wrong)}};
+}
+
+Fault one_scramble() {
+  const PointSetKind<faults::OneScrambleSobol> wrong{"sobol", ""};
+  return {"sobol-one-scramble",
+          "streams",
+          "the class of SORT #35",
+          {point_law_claim(wrong), point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
+           three_points_claim(wrong)}};
+}
+
+Fault one_order() {
+  const PointSetKind<faults::OneOrderStratified> wrong{"stratified", ""};
+  return {"strata-one-order",
+          "streams",
+          "Cook 1986 (strata of different dimensions are paired at random)",
+          {point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
+           replicates_claim(product_integral(), wrong), three_points_claim(wrong)}};
+}
+
+Fault no_jitter() {
+  const PointSetKind<faults::MidpointLatinHypercube> wrong{"latin", ""};
+  return {"strata-midpoints",
+          "missing jitter",
+          "McKay, Beckman, Conover 1979 (jitter makes the mean unbiased)",
+          {three_points_claim(wrong)}};
+}
+
+}  // namespace
+
+std::vector<Fault> random_faults() { return {one_replicate(), one_scramble(), one_order(), no_jitter()}; }
 
 }  // namespace fairlight

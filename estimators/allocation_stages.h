@@ -1,0 +1,112 @@
+#pragma once
+
+#include <fairlight/estimators/allocation.h>
+
+namespace fairlight {
+
+/// What an image may cost, and what the first scores are made from.
+struct AllocationPlan {
+  PixelGrid grid;
+  std::uint64_t budget;  ///< samples of the whole image, the pilot's included; met exactly
+  std::uint64_t pilot;   ///< samples of every pixel before the first scores
+};
+
+namespace detail {
+
+/// Throws std::invalid_argument unless the pilot is as large as `needs`, and the budget holds it and `after` more
+/// samples for every pixel.
+inline void check_plan(const AllocationPlan& plan, std::uint64_t budget, std::uint64_t needs, std::uint64_t after) {
+  if (plan.pilot < needs) {
+    throw std::invalid_argument("a pilot of " + std::to_string(plan.pilot) + " samples a pixel (at least " +
+                                std::to_string(needs) + " are needed)");
+  }
+  const std::uint64_t each = budget / plan.grid.size();
+  if (each < plan.pilot || each - plan.pilot < after) {
+    throw std::invalid_argument("a budget of " + std::to_string(budget) + " samples is too small (" +
+                                std::to_string(plan.grid.size()) + " pixels need a pilot of " +
+                                std::to_string(plan.pilot) + " and " + std::to_string(after) + " more each)");
+  }
+}
+
+/// The next counts[i] samples of every pixel i, after those of its history.
+template <class Draw>
+PixelHistories draw_stage(const Draw& draw, const PixelHistories& histories, const SampleCounts& counts) {
+  PixelHistories stage;
+  std::vector<double> samples;
+  for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
+    const std::uint64_t first = histories[pixel].count();
+    samples.clear();
+    for (std::uint64_t i = 0; i < counts[pixel]; ++i) samples.push_back(draw(pixel, first + i));
+    stage.push_back(Moments::of(samples));
+  }
+  return stage;
+}
+
+/// The same number of first samples for every pixel.
+template <class Draw>
+PixelHistories draw_pilot(const AllocationPlan& plan, const Draw& draw) {
+  return draw_stage(draw, PixelHistories(plan.grid.size()), SampleCounts(plan.grid.size(), plan.pilot));
+}
+
+inline void merge(PixelHistories& histories, const PixelHistories& stage) {
+  for (std::size_t pixel = 0; pixel < stage.size(); ++pixel) histories[pixel].merge(stage[pixel]);
+}
+
+inline std::vector<double> means(const PixelHistories& histories) {
+  std::vector<double> image;
+  for (const Moments& history : histories) image.push_back(history.mean());
+  return image;
+}
+
+}  // namespace detail
+
+/// Sampling in stages: the pilot, then the rest of the budget in `stages` - 1 parts as equal as whole samples
+/// allow, each shared out by the scores of all the samples before it.
+template <AllocationScore Score>
+class StagedSampling {
+ public:
+  /// `least` samples of every pixel in each stage after the pilot. Throws std::invalid_argument for fewer than two
+  /// stages, a pilot that is empty or below what the score needs, or a budget that is too small.
+  StagedSampling(AllocationPlan plan, std::uint64_t stages, std::uint64_t least)
+      : plan_(plan), stages_(stages), least_(least) {
+    if (stages < 2) throw std::invalid_argument("fewer than two stages (the first is the pilot)");
+    detail::check_plan(plan, plan.budget, std::max<std::uint64_t>(Score::needs, 1), 0);
+    for (std::uint64_t stage = 1; stage < stages; ++stage) {
+      if (budget(stage) / plan.grid.size() < least) {
+        throw std::invalid_argument("a budget of " + std::to_string(plan.budget) +
+                                    " samples is too small (every pixel needs " + std::to_string(least) +
+                                    " in each stage)");
+      }
+    }
+  }
+
+  std::uint64_t stages() const { return stages_; }
+  const AllocationPlan& plan() const { return plan_; }
+
+  /// The samples of a stage, of all pixels together; fixed in advance.
+  std::uint64_t budget(std::uint64_t stage) const {
+    const std::uint64_t pilot = plan_.pilot * plan_.grid.size();
+    if (stage == 0) return pilot;
+    const std::uint64_t rest = plan_.budget - pilot;
+    return rest / (stages_ - 1) + (stage <= rest % (stages_ - 1) ? 1 : 0);
+  }
+
+  /// What every stage drew, by itself.
+  template <class Draw>
+  std::vector<PixelHistories> run(const Draw& draw) const {
+    std::vector<PixelHistories> drawn{detail::draw_pilot(plan_, draw)};
+    PixelHistories histories = drawn[0];
+    for (std::uint64_t stage = 1; stage < stages_; ++stage) {
+      const SampleCounts counts = share_out(budget(stage), Score::of(plan_.grid, histories), least_);
+      drawn.push_back(detail::draw_stage(draw, histories, counts));
+      detail::merge(histories, drawn.back());
+    }
+    return drawn;
+  }
+
+ private:
+  AllocationPlan plan_;
+  std::uint64_t stages_, least_;
+};
+
+}  // namespace fairlight

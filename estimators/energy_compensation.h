@@ -1,0 +1,80 @@
+#pragma once
+
+#include <utility>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <fairlight/estimators/ggx_albedo.h>
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/rough_conductor.h>
+
+namespace fairlight {
+
+/// A rough metal that loses no light between its facets: a second lobe gives back what RoughConductor's lacks, as if
+/// the light had then left in all directions alike.
+/// Formula  f = f_1 + f_ms, f_ms = C (1 - E(out)) (1 - E(in)) / (pi (1 - Eavg)): E is the albedo of f_1 for white
+///          facets, Eavg its mean under the cosine, and C = Favg^2 Eavg / (1 - Favg (1 - Eavg)) the sum over one
+///          further reflection and more, with Favg the mean of F under the cosine; 1 for white facets
+/// Measure  f in 1/sr; p = E(out) p_1 + (1 - E(out)) z_in / pi, in solid angle
+/// Domain   directions with z > 0; f and p are 0 elsewhere. One roughness in [1e-4, 1]; Reflectance as RoughConductor's
+/// Random   u in [0,1)^3; the third chooses the lobe
+/// Source   Kulla and Conty 2017, "Revisiting physically based shading at Imageworks". E to 1e-5: GgxLoss
+template <class Real, class Reflectance = ConstantReflectance<Real>, class Loss = GgxLoss>
+class EnergyCompensatedConductor {
+ public:
+  using Scalar = Real;
+  static constexpr int dimensions = 3;
+
+  /// One roughness for all lanes, as its albedo is worked out here.
+  EnergyCompensatedConductor(double alpha, const Reflectance& reflectance)
+      : single_(Ggx<Real>(rounded<Real>(alpha), rounded<Real>(alpha)), reflectance), loss_(alpha) {
+    const Real lost = rounded<Real>(loss_.mean());
+    const Rgb<Real> f = mean(reflectance);
+    for (int c = 0; c < 3; ++c) {
+      further_[c] = f[c] * f[c] * (Real(1) - lost) / ((Real(1) - f[c] * lost) * lost);
+    }
+  }
+
+  Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {
+    const Mask<Real> both = out.z() > Real(0) && in.z() > Real(0);
+    const Real lost = loss_(select(both, out.z(), Real(1))) * loss_(select(both, in.z(), Real(1)));
+    return single_.eval(out, in) + further_ * select(both, Real(lost / pi<Real>), Real(0));
+  }
+
+  Density<SolidAngle, Real> pdf(const Vec3<Real>& out, const Vec3<Real>& in) const {
+    const Mask<Real> both = out.z() > Real(0) && in.z() > Real(0);
+    const Real lost = loss_(select(both, out.z(), Real(1)));
+    const Real p = (Real(1) - lost) * single_.pdf(out, in).value() + lost * cosine_.pdf(in).value();
+    return Density<SolidAngle, Real>(select(both, p, Real(0)));
+  }
+
+  Bounce<Real> sample(const Vec3<Real>& out, const Vec3<Real>& u) const {
+    const Vec2<Real> v(u.x(), u.y());
+    const Real lost = loss_(select(out.z() > Real(0), out.z(), Real(1)));
+    const Vec3<Real> in = select(u.z() < lost, cosine_.sample(v), single_.sample(out, v).in);
+    const Density<SolidAngle, Real> density = pdf(out, in);
+    const Real p = select(density.value() > Real(0), density.value(), Real(1));
+    return {in, Rgb<Real>(eval(out, in) * Real(in.z() / p)), density};
+  }
+
+ private:
+  /// Twice the integral of F(z) z.
+  static Rgb<Real> mean(const Reflectance& reflectance) {
+    using Rule = boost::math::quadrature::gauss<double, 16>;
+    Rgb<Real> sum = zero<Rgb<Real>>();
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+      for (double side : {-1.0, 1.0}) {
+        const double z = (1 + side * Rule::abscissa()[i]) / 2;
+        sum += reflectance(rounded<Real>(z)) * rounded<Real>(Rule::weights()[i] * z);
+      }
+    }
+    return sum;
+  }
+
+  RoughConductor<Real, Reflectance> single_;
+  Loss loss_;
+  CosineHemisphere<Real> cosine_;
+  Rgb<Real> further_;  ///< C / (1 - Eavg)
+};
+
+}  // namespace fairlight

@@ -1,0 +1,163 @@
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fairlight/estimators/density.h>
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight {
+
+namespace detail {
+
+/// Apertures draw their points 8 ulp inside the rim, so that the rounding of a sine and a cosine carries none over it.
+template <class Real>
+inline constexpr Lane<Real> inside_rim = 1 - 8 * ulp<Real>;
+
+}  // namespace detail
+
+/// Points of a round opening, by the concentric map: neighbours on the square stay neighbours on the disk.
+/// Formula  p(x) = 1 / (pi R^2)
+/// Measure  area [1/m^2]
+/// Domain   the disk |x| <= R; the density is 0 elsewhere; R > 0, finite (throws std::invalid_argument otherwise)
+/// Random   u in [0,1)^2
+/// Source   Shirley and Chiu 1997, "A low distortion map between disk and square"
+template <class Real>
+class CircularAperture {
+ public:
+  using Scalar = Real;
+  using Point = Vec2<Real>;
+  using Measure = Area;
+
+  /// The radius R [m].
+  explicit CircularAperture(Real radius) : radius_(radius) {
+    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
+      throw std::invalid_argument("an aperture's radius must be positive and finite (a pinhole has none)");
+  }
+
+  Point sample(const Vec2<Real>& u) const {
+    using std::abs;
+    using std::cos;
+    using std::sin;
+    const Real a = Real(2) * u.x() - Real(1);
+    const Real b = Real(2) * u.y() - Real(1);
+    const Mask<Real> wide = abs(a) > abs(b);
+    const Real major = select(wide, a, b);
+    const Real minor = select(wide, b, a);
+    const Real angle = Real(0.25) * pi<Real> * minor / select(major == Real(0), Real(1), major);
+    const Real r = detail::inside_rim<Real> * radius_ * major;
+    const Real along = r * cos(angle);
+    const Real across = r * sin(angle);
+    return {select(wide, along, across), select(wide, across, along)};
+  }
+
+  Density<Measure, Real> pdf(const Point& x) const {
+    const Mask<Real> inside = x.x() * x.x() + x.y() * x.y() <= radius_ * radius_;
+    return Density<Measure, Real>(select(inside, Real(Real(1) / (pi<Real> * radius_ * radius_)), Real(0)));
+  }
+
+ private:
+  Real radius_;
+};
+
+/// Points of the opening between n straight blades: a regular polygon. One of its n triangles about the centre, then a
+/// point of it: what is left of the first number gives the distance from the centre, the second the place along the blade.
+/// Formula  p(x) = 1 / (n/2 R^2 sin(2 pi / n))
+/// Measure  area [1/m^2]
+/// Domain   the polygon whose corners are at distance R; the density is 0 elsewhere; n >= 3; R > 0, finite (throws
+///          std::invalid_argument otherwise)
+/// Random   u in [0,1)^2
+/// Source   Turk 1990, "Generating random points in triangles"; Pharr, Jakob, Humphreys, PBR 4ed, 5.4
+template <class Real>
+class PolygonalAperture {
+ public:
+  using Scalar = Real;
+  using Point = Vec2<Real>;
+  using Measure = Area;
+
+  /// The distance R of the corners [m], the number n of blades, and the angle of the first corner from +x [rad].
+  PolygonalAperture(Real radius, int blades, Real rotation = Real(0)) : blades_(blades), rotation_(rotation) {
+    using std::cos;
+    using std::sin;
+    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
+      throw std::invalid_argument("an aperture's radius must be positive and finite (a pinhole has none)");
+    if (blades < 3) throw std::invalid_argument("an aperture needs three blades or more (or none, and is round)");
+    half_sector_ = pi<Real> / rounded<Real>(blades);
+    apothem_ = radius * cos(half_sector_);
+    half_side_ = radius * sin(half_sector_);
+  }
+
+  Point sample(const Vec2<Real>& u) const {
+    using std::floor;
+    using std::sqrt;
+    const Real turn = u.x() * rounded<Real>(blades_);
+    const Real blade = floor(turn);
+    const Real distance = detail::inside_rim<Real> * sqrt(turn - blade);
+    const Real out = apothem_ * distance;
+    const Real along = half_side_ * distance * (Real(2) * u.y() - Real(1));
+    const Point normal = normal_of(blade);
+    return {out * normal.x() - along * normal.y(), out * normal.y() + along * normal.x()};
+  }
+
+  Density<Measure, Real> pdf(const Point& x) const {
+    using std::atan2;
+    using std::floor;
+    const Mask<Real> centre = x.x() == Real(0) && x.y() == Real(0);  // no angle, and in packets not a number
+    const Real angle = atan2(x.y(), select(centre, Real(1), x.x()));
+    const Real blade = floor((angle - rotation_) / (Real(2) * half_sector_));
+    const Point normal = normal_of(blade);
+    const Mask<Real> inside = x.x() * normal.x() + x.y() * normal.y() <= apothem_;
+    return Density<Measure, Real>(
+        select(inside, Real(Real(1) / (rounded<Real>(blades_) * apothem_ * half_side_)), Real(0)));
+  }
+
+ private:
+  // The direction from the centre to the middle of a blade.
+  Point normal_of(Real blade) const {
+    using std::cos;
+    using std::sin;
+    const Real angle = rotation_ + (Real(2) * blade + Real(1)) * half_sector_;
+    return {cos(angle), sin(angle)};
+  }
+
+  int blades_;
+  Real rotation_, half_sector_, apothem_, half_side_;
+};
+
+/// A ray of a camera in its own frame: x to the right, y down, z along the axis. After d times the direction it crosses
+/// the plane at distance d: its z is 1, so it is not a unit vector.
+template <class Real>
+struct LensRay {
+  Vec3<Real> origin;     ///< on the lens, z = 0 [m]
+  Vec3<Real> direction;  ///< z = 1
+};
+
+/// A thin lens: what a pinhole sees at the distance f along the axis is seen there by every point of the lens, and what
+/// is nearer or farther is blurred. A point at distance d is seen in the direction that a pinhole sees it in, moved by
+/// l (1/f - 1/d) for the point l of the lens: a disk of radius R |d - f| / (f d) on the image plane at distance 1.
+/// Formula  origin l, direction w - l / f, for the pinhole's direction w with z = 1
+/// Domain   f > 0 in m, infinite for a lens that is focused at infinity (throws std::invalid_argument otherwise)
+/// Random   u in [0,1)^2
+/// Source   Cook, Porter, Carpenter 1984, "Distributed ray tracing"; the paper, 3.2.3
+template <class Real, class Aperture>
+class ThinLens {
+ public:
+  ThinLens(Real focus_distance, Aperture aperture) : focus_(focus_distance), aperture_(std::move(aperture)) {
+    if (!all(focus_distance > Real(0)))
+      throw std::invalid_argument("a lens must be focused in front of the camera (its distance divides)");
+  }
+
+  /// The ray through the point of the lens that u gives, where a pinhole's has the given direction, z = 1.
+  LensRay<Real> ray(const Vec3<Real>& direction, const Vec2<Real>& u) const {
+    const Vec2<Real> l = aperture_.sample(u);
+    return {{l.x(), l.y(), Real(0)},
+            {direction.x() - l.x() / focus_, direction.y() - l.y() / focus_, direction.z()}};
+  }
+
+ private:
+  Real focus_;
+  Aperture aperture_;
+};
+
+}  // namespace fairlight

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <stdexcept>
+
+#include <fairlight/estimators/density.h>
+#include <fairlight/estimators/polar.h>
+
+namespace fairlight {
+
+/// Directions about an axis in proportion to a power of the cosine of the angle alpha to it: the Phong lobe. Of any
+/// sharpness: it reckons with 1 - cos(alpha), since a power of 10^6 of the cosine itself makes 6 % of the rounding
+/// of a float.
+/// Formula  p(w) = (n + 1) / (2 pi) cos^n(alpha)
+/// Measure  solid angle [1/sr]
+/// Domain   unit vectors with alpha < 90 degrees; the density is 0 elsewhere. A surface may cut off a part. With n < 1,
+///          draws within rounding of 90 degrees may fall there: those have density 0
+/// Random   u in [0,1)^2
+/// Source   Lafortune and Willems 1994, "Using the modified Phong reflectance model for physically based rendering"
+template <class Real>
+class PowerCosineLobe {
+ public:
+  using Scalar = Real;
+  using Point = Vec3<Real>;
+  using Measure = SolidAngle;
+
+  /// About a unit vector; exponent n >= 0, finite (throws std::invalid_argument otherwise).
+  PowerCosineLobe(const Vec3<Real>& axis, Real exponent) : axis_(axis), frame_(axis), exponent_(exponent) {
+    if (!all(exponent >= Real(0) && exponent < Real(infinity<Real>))) {
+      throw std::invalid_argument("a lobe's exponent must be nonnegative and finite (its density divides)");
+    }
+  }
+
+  /// cos(alpha)^(n + 1) is uniform: 1 - u.
+  Point sample(const Vec2<Real>& u) const {
+    using std::expm1;
+    using std::log1p;
+    const Real drop = -expm1(Real(log1p(-u.x()) / (exponent_ + Real(1))));
+    return frame_.to_world(detail::direction_below_pole(drop, u.y()));
+  }
+
+  /// The turn is that of w - axis, whose small components are exact where those of w cancel.
+  Vec2<Real> invert(const Point& w) const {
+    using std::expm1;
+    const Real u = -expm1(Real((exponent_ + Real(1)) * log_cosine(drop(w))));
+    return {u, detail::turn_about_z(frame_.to_local(w - axis_))};
+  }
+
+  Density<Measure, Real> pdf(const Point& w) const {
+    using std::exp;
+    const Real below = drop(w);
+    const Real height = (exponent_ + Real(1)) / (Real(2) * pi<Real>);
+    return Density<Measure, Real>(
+        select(below < Real(1), Real(height * exp(Real(exponent_ * log_cosine(below)))), Real(0)));
+  }
+
+ private:
+  /// 1 - cos(alpha) = |w - axis|^2 / 2, for unit vectors.
+  Real drop(const Point& w) const { return Vec3<Real>(w - axis_).squaredNorm() / Real(2); }
+
+  /// log(cos(alpha)) inside the lobe; outside, where it has no value and nobody asks, 0.
+  static Real log_cosine(Real drop) {
+    using std::log1p;
+    return log1p(-select(drop < Real(1), drop, Real(0)));
+  }
+
+  Vec3<Real> axis_;
+  Frame<Real> frame_;
+  Real exponent_;
+};
+
+}  // namespace fairlight

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/stream.h>
+
+namespace fairlight {
+
+/// Point sets: n points of the unit cube, of as many dimensions as are asked for, that are better spread together
+/// than independent ones. A number is a function of (key, replicate, point, dimension), and of n. Every point alone
+/// is uniform and its dimensions are independent, so the mean of f over the points is unbiased for any n; but the
+/// points depend on each other, so the unit of any test is a whole replicate. A key that serves a point set serves
+/// no PhiloxStream: both count with the same counters.
+
+/// 32 bits, or as many of them as Real has lanes.
+template <class Real>
+struct WordOf {
+  using Type = std::uint32_t;
+};
+template <class A>
+struct WordOf<xsimd::batch<float, A>> {
+  using Type = xsimd::batch<std::uint32_t, A>;
+};
+template <class Real>
+using Word = typename WordOf<Real>::Type;
+
+/// The number of points of a set. Throws std::invalid_argument unless it is from 1 to 2^28.
+inline std::uint32_t checked_size(std::uint32_t n) {
+  if (n < 1 || n > 1u << 28) throw std::invalid_argument("a point set of no or too many points (give 1 to 2^28)");
+  return n;
+}
+
+/// The random words of one replicate of a point set, four for each pair of dimensions 2k and 2k + 1.
+class Replicate {
+ public:
+  Replicate(const StreamKey& key, std::uint32_t number) : key_(key.words()), number_(number) {}
+
+  using Words = Philox<std::uint32_t>::Counter;
+
+  /// What all points share in pair k; and once more, for what is shared by several pairs.
+  Words shared(std::uint32_t k) const { return Philox<std::uint32_t>::draw({k, 0, 1, number_}, key_); }
+  Words shared_by_group(std::uint32_t group) const {
+    return Philox<std::uint32_t>::draw({group, 0, 2, number_}, key_);
+  }
+
+  /// What is a point's own.
+  template <class W>
+  std::array<W, 4> own(W point, std::uint32_t k) const {
+    return Philox<W>::draw({W(k), point, W(0u), W(number_)}, {W(key_[0]), W(key_[1])});
+  }
+
+ private:
+  Philox<std::uint32_t>::Key key_;
+  std::uint32_t number_;
+};
+
+/// The number in [0,1) whose binary digits are the words': 53 of them, or 24 in packets.
+inline double unit_number(std::uint32_t high, std::uint32_t low) {
+  return static_cast<double>((std::uint64_t{high} << 21) | (low >> 11)) * 0x1p-53;
+}
+template <class A>
+xsimd::batch<float, A> unit_number(const xsimd::batch<std::uint32_t, A>& high,
+                                   const xsimd::batch<std::uint32_t, A>& /*low*/) {
+  return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(high >> 8)) * 0x1p-24f;
+}
+
+/// The points `first`, `first` + 1, ... of n, one a lane; after the last comes the first again.
+template <class Real>
+Word<Real> point_numbers(std::uint32_t first, std::uint32_t n) {
+  std::array<std::uint32_t, lanes<Real>> numbers{};
+  for (std::size_t i = 0; i < lanes<Real>; ++i) numbers[i] = static_cast<std::uint32_t>((first + i) % n);
+  if constexpr (lanes<Real> == 1) {
+    return numbers[0];
+  } else {
+    return Word<Real>::load_unaligned(numbers.data());
+  }
+}
+
+/// A UniformSource: the numbers of one point of a set (for packets, of consecutive points), dimension after
+/// dimension. `set.pair(points, k)` gives dimensions 2k and 2k + 1.
+/// Source   Owen 1998, "Latin supercube sampling", for replicates as the unit of randomness
+template <class Set>
+class PointSource {
+ public:
+  using Real = typename Set::Scalar;
+
+  PointSource(const Set& set, std::uint32_t first)
+      : set_(set), points_(point_numbers<Real>(first, set.size())), pair_{Real(0), Real(0)} {}
+
+  /// The next dimension.
+  Real next() {
+    const std::uint32_t dimension = dimension_++;
+    if (dimension % 2 == 0) pair_ = set_.pair(points_, dimension / 2);
+    return pair_[dimension % 2];
+  }
+
+ private:
+  Set set_;
+  Word<Real> points_;
+  std::array<Real, 2> pair_;
+  std::uint32_t dimension_ = 0;
+};
+
+/// n points of a replicate: `source(first)` gives the numbers of point `first`, one point a lane.
+template <class Set>
+concept PointSet = std::constructible_from<Set, const StreamKey&, std::uint32_t, std::uint32_t> &&
+    requires(const Set set, std::uint32_t first) {
+  { set.size() } -> std::same_as<std::uint32_t>;
+  { set.source(first) } -> UniformSource<typename Set::Scalar>;
+};
+
+}  // namespace fairlight

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <utility>
+
+#include <fairlight/estimators/bsdf.h>
+#include <fairlight/estimators/ggx.h>
+#include <fairlight/estimators/reflectance.h>
+
+namespace fairlight {
+
+/// A rough metal: light that GGX facets reflect once. What they reflect onto each other is lost: of white light up to
+/// 69 % at alpha = 1 (docs/estimators.md); EnergyCompensatedConductor gives it back.
+/// Formula  f = D(h) G2(out, in) F(out.h) / (4 z_out z_in), h halfway between out and in; without the cosine
+/// Measure  f in 1/sr; p(in) = G1(out) D(h) / (4 z_out) in solid angle, as visible normals reflect
+/// Domain   directions with z > 0; f and p are 0 elsewhere, so p integrates to the probability that a facet reflects
+///          upwards. Roughness in [1e-4, 1]; Reflectance is F, from the cosine at the facet to an Rgb
+/// Random   u in [0,1)^2
+/// Source   Walter et al. 2007; Heitz 2018. A bounce weighs F G2/G1 <= F
+template <class Real, class Reflectance = ConstantReflectance<Real>, class Facets = Ggx<Real>,
+          class Normals = GgxVisibleNormals<Real>>
+class RoughConductor {
+ public:
+  using Scalar = Real;
+  static constexpr int dimensions = 2;
+
+  RoughConductor(const Facets& facets, Reflectance reflectance)
+      : facets_(facets), reflectance_(std::move(reflectance)) {}
+
+  /// The cosine at the facet is half the length of out + in.
+  Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {
+    const Mask<Real> both = above(out) && above(in);
+    const Vec3<Real> o = select(both, out, up());
+    const Vec3<Real> i = select(both, in, up());
+    const Vec3<Real> twice = o + i;
+    const Real length = twice.norm();
+    const Rgb<Real> f =
+        reflectance_(length / Real(2)) * Real(facets_.distribution(twice / length) * facets_.visibility(o, i));
+    return select(both, f, zero<Rgb<Real>>());
+  }
+
+  Density<SolidAngle, Real> pdf(const Vec3<Real>& out, const Vec3<Real>& in) const {
+    const Mask<Real> both = above(out) && above(in);
+    const Vec3<Real> o = select(both, out, up());
+    const Vec3<Real> twice = o + select(both, in, up());
+    const Real p = Normals(facets_, o).reflected_pdf(twice / twice.norm()).value();
+    return Density<SolidAngle, Real>(select(both, p, Real(0)));
+  }
+
+  /// The density is taken at the facet, not at `in`, whose rounding a roughness of 1e-4 would magnify.
+  Bounce<Real> sample(const Vec3<Real>& out, const Vec2<Real>& u) const {
+    const Vec3<Real> o = select(above(out), out, up());
+    const Normals normals(facets_, o);
+    const Vec3<Real> m = normals.sample(u);
+    const Vec3<Real> in = Real(2) * o.dot(m) * m - o;
+    const Mask<Real> exists = above(out) && above(in);
+    const Vec3<Real> i = select(exists, in, up());
+    const Real seen = Real(4) * facets_.projected_area(o) * facets_.visibility(o, i) * i.z();  // G2/G1
+    const Real p = normals.reflected_pdf(m).value();
+    return {in, select(exists, Rgb<Real>(reflectance_(o.dot(m)) * seen), zero<Rgb<Real>>()),
+            Density<SolidAngle, Real>(select(exists, p, Real(0)))};
+  }
+
+ private:
+  static Mask<Real> above(const Vec3<Real>& w) { return w.z() > Real(0); }
+  static Vec3<Real> up() { return {Real(0), Real(0), Real(1)}; }
+
+  Facets facets_;
+  Reflectance reflectance_;
+};
+
+}  // namespace fairlight

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <boost/random/sobol.hpp>
+
+#include <fairlight/estimators/point_set.h>
+
+namespace fairlight {
+
+/// How many dimensions of Sobol's sequence are used as they are; those beyond come in fours (see OwenSobol).
+inline constexpr std::uint32_t sobol_dimensions = 64;
+
+/// Joe and Kuo's direction numbers: [dimension][k] is what bit k of a point's number contributes. They are read off
+/// Boost's engine, which counts in Gray code and skips point 0: its point 2^(k+1) - 1 has the code with bit k
+/// alone.
+inline const std::array<std::array<std::uint32_t, 32>, sobol_dimensions>& sobol_directions() {
+  static const auto directions = [] {
+    std::array<std::array<std::uint32_t, 32>, sobol_dimensions> matrix{};
+    boost::random::sobol_engine<std::uint32_t, 32> engine(sobol_dimensions);
+    for (std::size_t k = 0; k < 32; ++k) {
+      engine.seed(static_cast<std::uint32_t>((std::uint64_t{2} << k) - 2));
+      for (auto& dimension : matrix) dimension[k] = engine();
+    }
+    return matrix;
+  }();
+  return directions;
+}
+
+/// A coordinate of Sobol's points, not scrambled: 32 binary digits. Points come in the order of their numbers.
+/// Source: Sobol' 1967; Joe and Kuo 2008, "Constructing Sobol sequences with better two-dimensional projections".
+template <class W>
+W sobol(std::uint32_t dimension, W point) {
+  W digits(0u);
+  for (const std::uint32_t direction : sobol_directions()[dimension]) {
+    if (!any(point != W(0u))) break;
+    digits ^= (W(0u) - (point & W(1u))) & W(direction);
+    point = point >> 1;
+  }
+  return digits;
+}
+
+/// The bits in reverse order.
+template <class W>
+W reverse_bits(W x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x & W(0xFF00FF00u)) >> 8) | ((x & W(0x00FF00FFu)) << 8);
+  x = ((x & W(0xF0F0F0F0u)) >> 4) | ((x & W(0x0F0F0F0Fu)) << 4);
+  x = ((x & W(0xCCCCCCCCu)) >> 2) | ((x & W(0x33333333u)) << 2);
+  return ((x & W(0xAAAAAAAAu)) >> 1) | ((x & W(0x55555555u)) << 1);
+}
+
+/// Owen's nested uniform scrambling of binary digits, by a hash: each digit is flipped or not, as the digits before
+/// it and the seeds say. On reversed bits these are the operations that carry upwards only. `shift` alone makes the
+/// law of a scrambled number uniform, exactly; the rest makes digits of numbers that have parted independent.
+/// Source: Owen 1995; Laine and Karras 2011; Burley 2020, "Practical hash-based Owen scrambling", section 3;
+/// constants by Vegdahl 2021, as in PBR 4ed, 8.6.3 (FastOwenScrambler), which takes shift and factor from one word.
+template <class W>
+W nested_scramble(W digits, std::uint32_t shift, std::uint32_t factor) {
+  W x = reverse_bits(digits);
+  x ^= x * W(0x3D20ADEAu);
+  x += W(shift);
+  x *= W(factor | 1u);
+  x ^= x * W(0x05526C56u);
+  x ^= x * W(0x53A22864u);
+  return reverse_bits(x);
+}
+
+/// Sobol's points, Owen-scrambled: of 2^k points, one in each elementary interval as far as Sobol's sequence has it
+/// so, and uniform within. A number has 32 scrambled digits; in double 21 random ones follow, as the scrambling
+/// would go on, since points that differ have parted by then. Packets keep the first 24.
+/// Dimensions from 64 on come in fours, each four being the sequence's first, scrambled anew and in an order of its
+/// own: the points' numbers are scrambled too, so that aligned blocks of 2^k stay together.
+/// Formula  u_d = scramble_d(sobol_d(i)), with seeds for every (replicate, dimension)
+/// Measure  the unit cube
+/// Domain   n from 1 to 2^28 (throws std::invalid_argument otherwise); a power of two for the points to be a net
+/// Random   four words for two dimensions of a replicate, and as many for those of a point
+/// Source   Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences"; Burley 2020
+template <class Real>
+class OwenSobol {
+ public:
+  using Scalar = Real;
+
+  OwenSobol(const StreamKey& key, std::uint32_t replicate, std::uint32_t n)
+      : replicate_(key, replicate), n_(checked_size(n)) {}
+
+  std::uint32_t size() const { return n_; }
+  PointSource<OwenSobol> source(std::uint32_t first) const { return {*this, first}; }
+
+  /// Dimensions 2k and 2k + 1 of points.
+  std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
+    const auto [dimension, order] = place(points, k);
+    const auto seeds = replicate_.shared(k);
+    std::array<Word<Real>, 4> below{};
+    if constexpr (lanes<Real> == 1) below = replicate_.own(points, k);
+    return {unit_number(nested_scramble(sobol(dimension, order), seeds[0], seeds[1]), below[0]),
+            unit_number(nested_scramble(sobol(dimension + 1, order), seeds[2], seeds[3]), below[1])};
+  }
+
+ private:
+  // Where in the sequence pair k is found: its first dimension, and the points' numbers there.
+  struct Place {
+    std::uint32_t dimension;
+    Word<Real> order;
+  };
+
+  Place place(const Word<Real>& points, std::uint32_t k) const {
+    if (k < sobol_dimensions / 2) return {2 * k, points};
+    const auto seeds = replicate_.shared_by_group(k / 2);
+    return {2 * (k % 2), nested_scramble(points, seeds[0], seeds[1])};
+  }
+
+  Replicate replicate_;
+  std::uint32_t n_;
+};
+
+}  // namespace fairlight

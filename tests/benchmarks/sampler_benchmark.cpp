@@ -1,0 +1,54 @@
+// How many draws a second each sampler gives, its random numbers included, in double and in packets: compare the two rates of one
+// run. Built for the machine that it runs on, so that packets are as wide as they get.
+#include <benchmark/benchmark.h>
+
+#include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/filter.h>
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/sphere_light.h>
+#include <fairlight/estimators/stream.h>
+
+namespace {
+
+using namespace fairlight;
+
+constexpr std::uint64_t draws = 1 << 16;
+
+template <class Law>
+void draw(benchmark::State& state, const Law& law) {
+  using Real = typename Law::Scalar;
+  const StreamKey key(1, "benchmark");
+  for (auto _ : state) {
+    auto sum = zero<typename Law::Point>();
+    for (std::uint64_t i = 0; i < draws; i += lanes<Real>) {
+      PhiloxStream<Real> source(key, 0, i);
+      sum += law.sample(next_pair<Real>(source));
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(draws));
+}
+
+template <class Make>
+void compare(const std::string& name, const Make& make) {
+  const auto add = [&]<class Real>(std::type_identity<Real> real, const std::string& kind) {
+    const auto law = make(real);
+    benchmark::RegisterBenchmark((name + "/" + kind).c_str(), [law](benchmark::State& state) { draw(state, law); })
+        ->Repetitions(5)
+        ->ReportAggregatesOnly();
+  };
+  add(std::type_identity<double>{}, "double");
+  add(std::type_identity<Packet>{}, "packet");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  compare("uniform hemisphere", []<class Real>(std::type_identity<Real>) { return UniformHemisphere<Real>(); });
+  compare("cosine hemisphere", []<class Real>(std::type_identity<Real>) { return CosineHemisphere<Real>(); });
+  compare("sphere by area",
+          []<class Real>(std::type_identity<Real>) { return UniformSphereArea<Real>(Real(2.5)); });
+  compare("tent filter", []<class Real>(std::type_identity<Real>) { return TentFilter<Real>(); });
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

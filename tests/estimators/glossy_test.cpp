@@ -1,0 +1,118 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <support/unit_square.h>
+
+#include <fairlight/estimators/glossy.h>
+#include <fairlight/estimators/hemisphere.h>
+
+namespace fairlight {
+namespace {
+
+using testing::edge_points;
+
+static_assert(Bsdf<Glossy<double>>);
+static_assert(Bsdf<Glossy<double, CosineHemisphere>>);
+static_assert(Bsdf<Glossy<Packet>>);
+
+const Rgb<double> albedo(0.75, 0.5, 0.25);
+
+// Towards the viewer at any height, down to 1e-9 above the surface.
+Vec3<double> any_out() {
+  const double z = std::pow(10.0, -9 * *testing::unit_number());
+  const double phi = 2 * M_PI * *testing::unit_number();
+  const double radius = std::sqrt((1 - z) * (1 + z));
+  return {radius * std::cos(phi), radius * std::sin(phi), z};
+}
+double any_exponent() { return std::pow(10.0, 6 * *testing::unit_number()); }
+
+TEST(Glossy, IsALobeAboutTheMirrorDirection) {
+  const Glossy<double> surface(albedo, 2);
+  const Vec3<double> out(0.6, 0, 0.8);
+  EXPECT_TRUE(surface.eval(out, {-0.6, 0, 0.8}).isApprox(albedo * 2 / M_PI));
+  EXPECT_TRUE(surface.eval(out, {0, 0, 1}).isApprox(albedo * 2 / M_PI * 0.64));
+  EXPECT_DOUBLE_EQ(surface.pdf(out, {0, 0, 1}).value(), 1.5 / M_PI * 0.64);
+  EXPECT_TRUE((surface.eval(out, {0.96, 0, 0.28}) == 0).all());
+}
+
+TEST(Glossy, OfExponentZeroSeenFromAboveIsDiffuse) {
+  EXPECT_TRUE(Glossy<double>(albedo, 0).eval({0, 0, 1}, {0, 0.8, 0.6}).isApprox(albedo / M_PI));
+}
+
+TEST(Glossy, IsBlackBelowTheSurface) {
+  const Glossy<double> surface(albedo, 2);
+  EXPECT_TRUE((surface.eval({0.6, 0, 0.8}, {-0.8, 0, -0.6}) == 0).all());
+  EXPECT_TRUE((surface.eval({0.6, 0, -0.8}, {-0.6, 0, 0.8}) == 0).all());
+}
+
+// cos(alpha)^3 = 0.008 on the side away from the normal: below a surface that is seen at 70 degrees.
+TEST(Glossy, AbsorbsWhatItDrawsBelowTheSurface) {
+  const Vec3<double> out(std::sin(1.2), 0, std::cos(1.2));
+  for (double turn : {0.0, 0.25, 0.5, 0.75}) {
+    const auto bounce = Glossy<double>(albedo, 2).sample(out, {0.992, turn});
+    EXPECT_GT(bounce.density.value(), 0);
+    EXPECT_EQ((bounce.weight == 0).all(), bounce.in.z() <= 0);
+  }
+}
+
+template <class Surface>
+void check_bounce(const Surface& surface, const Vec3<double>& out, const Vec2<double>& u) {
+  const auto bounce = surface.sample(out, u);
+  RC_ASSERT(bounce.density.value() == surface.pdf(out, bounce.in).value());
+  RC_ASSERT(bounce.weight.allFinite() && (bounce.weight >= 0).all());
+  const Rgb<double> expected = surface.eval(out, bounce.in) * bounce.in.z() / bounce.density.value();
+  constexpr double denormal = 1e-300;  // far from a sharp lobe, where digits are lost
+  RC_ASSERT((bounce.weight - expected).abs().maxCoeff() <= 1e-15 * expected.maxCoeff() + denormal);
+}
+
+RC_GTEST_PROP(Glossy, WeighsABounceByItsIntegrandOverItsDensity, ()) {
+  const double exponent = any_exponent();
+  const Vec3<double> out = any_out();
+  for (const Vec2<double>& u : edge_points()) {
+    check_bounce(Glossy<double>(albedo, exponent), out, u);
+    check_bounce(Glossy<double, CosineHemisphere>(albedo, exponent), out, u);
+  }
+}
+
+// By the lobe the weight is albedo (n + 2) / (n + 1) cos(in), for any exponent and from any angle.
+RC_GTEST_PROP(Glossy, WeighsALobesBounceByTheCosine, ()) {
+  const double exponent = any_exponent();
+  const auto bounce = Glossy<double>(albedo, exponent).sample(any_out(), *testing::unit_point());
+  const Rgb<double> expected = albedo * ((exponent + 2) / (exponent + 1) * std::max(bounce.in.z(), 0.0));
+  RC_ASSERT((bounce.weight - expected).abs().maxCoeff() <= 1e-14);
+}
+
+RC_GTEST_PROP(Glossy, IsReciprocal, ()) {
+  const Glossy<double> surface(albedo, *rc::gen::element(0.0, 1.0, 20.0, 300.0));
+  const Vec3<double> a = any_out();
+  const Vec3<double> b = any_out();
+  RC_ASSERT(surface.eval(a, b).isApprox(surface.eval(b, a), 1e-10));
+}
+
+TEST(Glossy, BouncesInPacketsAsInDouble) {
+  for (double turn : {0.0, 0.125, 0.6, 0.9}) {
+    for (double x : {0.1, 0.5, 0.75}) {
+      const auto expected = Glossy<double>(albedo, 50).sample({0.6, 0, 0.8}, {x, turn});
+      const auto bounce =
+          Glossy<Packet>(albedo.cast<float>().cast<Packet>(), Packet(50))
+              .sample({Packet(0.6f), Packet(0), Packet(0.8f)}, {rounded<Packet>(x), rounded<Packet>(turn)});
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_LE(std::abs(static_cast<double>(bounce.in[i].get(0)) - expected.in[i]), 1e-6);
+        EXPECT_LE(std::abs(static_cast<double>(bounce.weight[i].get(0)) - expected.weight[i]), 2e-6);
+      }
+      EXPECT_LE(std::abs(static_cast<double>(bounce.density.value().get(0)) / expected.density.value() - 1), 2e-5);
+    }
+  }
+}
+
+TEST(Glossy, RefusesAnAlbedoOrAnExponentThatIsNone) {
+  EXPECT_THROW(Glossy<double>(Rgb<double>(1.1, 0, 0), 5), std::invalid_argument);
+  EXPECT_THROW(Glossy<double>(Rgb<double>(0, -0.1, 0), 5), std::invalid_argument);
+  EXPECT_THROW(Glossy<double>(Rgb<double>(0, 0, std::nan("")), 5), std::invalid_argument);
+  EXPECT_THROW(Glossy<double>(albedo, -1), std::invalid_argument);
+  EXPECT_THROW((Glossy<double, CosineHemisphere>(albedo, -1)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,140 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <support/microfacets.h>
+
+#include <fairlight/estimators/rough_conductor.h>
+
+namespace fairlight {
+namespace {
+
+using testing::direction_above;
+using testing::roughness;
+using testing::unit_point;
+
+static_assert(Bsdf<RoughConductor<double>>);
+static_assert(Bsdf<RoughConductor<float, SchlickReflectance<float>>>);
+static_assert(Bsdf<RoughConductor<Packet>>);
+
+const Vec3<double> up(0, 0, 1);
+const Rgb<double> gold(1, 0.75, 0.25);
+
+template <class Real = double>
+RoughConductor<Real> conductor(double alpha_x, double alpha_y, const Rgb<double>& colour = gold) {
+  return RoughConductor<Real>(Ggx<Real>(rounded<Real>(alpha_x), rounded<Real>(alpha_y)),
+                              ConstantReflectance<Real>(colour.cast<Real>()));
+}
+
+TEST(ConstantReflectance, RefusesWhatNoSurfaceReflects) {
+  EXPECT_THROW(ConstantReflectance<double>({0.5, 1.1, 0.5}), std::invalid_argument);
+  EXPECT_THROW(ConstantReflectance<double>({0.5, 0.5, -0.1}), std::invalid_argument);
+  EXPECT_THROW(SchlickReflectance<double>({std::nan(""), 0.5, 0.5}), std::invalid_argument);
+}
+
+TEST(SchlickReflectance, RisesFromNormalToWhite) {
+  const SchlickReflectance<double> reflectance(gold);
+  EXPECT_TRUE(reflectance(1).isApprox(gold, 1e-15));
+  EXPECT_TRUE(reflectance(0.5).isApprox(gold + (1 - gold) / 32, 1e-15));
+  EXPECT_TRUE(reflectance(0).isApprox(Rgb<double>::Constant(1), 1e-15));
+}
+
+// D = 4 / pi, all of it seen: f = F D / 4.
+TEST(RoughConductor, ReflectsFromItsFlatFacets) {
+  EXPECT_TRUE(conductor(0.5, 0.5).eval(up, up).isApprox(gold / M_PI, 1e-15));
+  EXPECT_DOUBLE_EQ(conductor(0.5, 0.5).pdf(up, up).value(), 1 / M_PI);
+}
+
+// D = 1 / pi everywhere: f = F / (2 pi (z_out + z_in)).
+TEST(RoughConductor, IsSimpleAtRoughnessOne) {
+  const Vec3<double> out(0.6, 0, 0.8), in(0, 0.8, 0.6);
+  EXPECT_TRUE(conductor(1, 1).eval(out, in).isApprox(gold / (2 * M_PI * 1.4), 1e-15));
+}
+
+TEST(RoughConductor, IsBlackFromBelow) {
+  const auto surface = conductor(0.5, 0.5);
+  const Vec3<double> below(0.6, 0, -0.8);
+  for (const auto& [out, in] : {std::pair(up, below), std::pair(below, up), std::pair(up, Vec3<double>(-up))}) {
+    EXPECT_TRUE((surface.eval(out, in) == 0).all());
+    EXPECT_EQ(surface.pdf(out, in).value(), 0);
+  }
+  EXPECT_TRUE((surface.sample(below, {0.5, 0.5}).weight == 0).all());
+  EXPECT_EQ(surface.sample(below, {0.5, 0.5}).density.value(), 0);
+}
+
+RC_GTEST_PROP(RoughConductor, IsReciprocal, ()) {
+  const RoughConductor<double, SchlickReflectance<double>> surface({*roughness(), *roughness()},
+                                                                   SchlickReflectance<double>(gold));
+  const Vec3<double> out = *direction_above(), in = *direction_above();
+  RC_ASSERT(surface.eval(out, in).isApprox(surface.eval(in, out), 1e-14));
+}
+
+template <class Real>
+void expect_bounce(const RoughConductor<Real>& surface, const Vec3<Real>& out, const Vec2<Real>& u) {
+  const Bounce<Real> bounce = surface.sample(out, u);
+  RC_ASSERT(std::abs(bounce.in.norm() - 1) <= 8 * ulp<Real>);
+  RC_ASSERT((bounce.weight >= 0).all() && (bounce.weight <= 1 + 8 * ulp<Real>).all());
+  RC_ASSERT(std::isfinite(bounce.density.value()));
+  RC_ASSERT((bounce.density.value() > 0) == (out.z() > 0 && bounce.in.z() > 0));
+}
+
+RC_GTEST_PROP(RoughConductor, WeighsABounceBetweenZeroAndOne, ()) {
+  const auto surface = conductor(*roughness(), *roughness());
+  const Vec3<double> out = *direction_above();
+  expect_bounce(surface, out, *unit_point());
+  for (const Vec2<double>& u : testing::edge_points()) expect_bounce(surface, out, u);
+}
+
+RC_GTEST_PROP(RoughConductor, WeighsABounceBetweenZeroAndOneInFloats, ()) {
+  const auto surface = conductor<float>(*roughness(), *roughness());
+  const Vec3<float> out = (*direction_above()).cast<float>();
+  expect_bounce(surface, out, *testing::unit_point_float());
+  for (const Vec2<float>& u : testing::edge_points_float()) expect_bounce(surface, out, u);
+}
+
+// A bounce's weight times its density is f cos, and its density that of `pdf`. D depends on the normal over the
+// roughness, to the fourth power; the normal is known from out and in to an ulp or two over the length of out + in,
+// and cos(in) to an ulp or two over itself.
+template <class Real>
+void expect_consistent(double alpha, const Vec3<double>& direction, const Vec2<Real>& u) {
+  const auto surface = conductor<Real>(alpha, alpha);
+  const Vec3<Real> out = direction.cast<Real>();
+  const Bounce<Real> bounce = surface.sample(out, u);
+  const Real p = surface.pdf(out, bounce.in).value();
+  const double length = static_cast<double>((out + bounce.in).norm());
+  const double tolerance = 40 * static_cast<double>(ulp<Real>) / (alpha * std::min(length, 1.0));
+  RC_PRE(tolerance < 0.1);
+  RC_ASSERT(std::abs(static_cast<double>(p - bounce.density.value())) <= tolerance * static_cast<double>(p));
+  const Rgb<Real> light = surface.eval(out, bounce.in) * bounce.in.z();
+  for (int c = 0; c < 3; ++c) {
+    const Real weighed = bounce.weight[c] * bounce.density.value();
+    RC_ASSERT(static_cast<double>(std::abs(weighed - light[c])) <= tolerance * static_cast<double>(light[c]));
+  }
+}
+
+RC_GTEST_PROP(RoughConductor, WeighsABounceByReflectanceCosineAndDensity, ()) {
+  expect_consistent<double>(*roughness(), *direction_above(), *unit_point());
+}
+
+RC_GTEST_PROP(RoughConductor, WeighsABounceByReflectanceCosineAndDensityInFloats, ()) {
+  expect_consistent<float>(*roughness(), *direction_above(), *testing::unit_point_float());
+}
+
+TEST(RoughConductor, IsTheSameInPackets) {
+  const Vec3<double> out(0.48, 0.64, 0.6);
+  const auto surface = conductor(0.5, 0.125);
+  const auto packets = conductor<Packet>(0.5, 0.125);
+  for (const Vec2<double>& u : {Vec2<double>(0, 0), Vec2<double>(0.25, 0.5), Vec2<double>(0.875, 0.0625)}) {
+    const Bounce<double> bounce = surface.sample(out, u);
+    const Bounce<Packet> lanes = packets.sample(out.cast<Packet>(), u.cast<Packet>());
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(static_cast<double>(lanes.in[c].get(0)), bounce.in[c], 5e-7);
+      EXPECT_NEAR(static_cast<double>(lanes.weight[c].get(0)), bounce.weight[c], 2e-6);
+    }
+    EXPECT_NEAR(static_cast<double>(lanes.density.value().get(0)), bounce.density.value(),
+                5e-6 * bounce.density.value());
+  }
+}
+
+}  // namespace
+}  // namespace fairlight

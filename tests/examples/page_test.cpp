@@ -1,0 +1,53 @@
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <support/house.h>
+
+#include <fairlight/stats/seed.h>
+#include <fairlight/validation/faults/catalogue.h>
+
+// docs/adding_an_estimator.md, as it stands: its files are compiled with this one.
+namespace fairlight {
+
+void add_cosine_squared_claims(std::vector<Claim>& claims);
+std::vector<Fault> cosine_squared_faults();
+
+namespace {
+
+Finding run(const Claim& claim, std::uint64_t seed) {
+  return claim.check({claim.name, seed, 1e-9, 0.01, 1e-3 * claim.margin_factor});
+}
+
+std::vector<Claim> claims() {
+  std::vector<Claim> all;
+  add_cosine_squared_claims(all);
+  return all;
+}
+
+TEST(ThePage, AddsClaimsThatAreCertified) {
+  const std::uint64_t seed = fresh_seed();
+  for (const Claim& claim : claims()) {
+    const Finding finding = run(claim, seed);
+    EXPECT_EQ(finding.verdict, Verdict::certified)
+        << claim.name << " seed " << seed_text(seed) << " " << finding.note;
+  }
+}
+
+TEST(ThePage, AddsAFaultThatIsCaught) {
+  const std::uint64_t seed = fresh_seed();
+  for (const Fault& fault : cosine_squared_faults()) {
+    for (const Claim& claim : fault.claims) {
+      EXPECT_EQ(run(claim, seed).verdict, Verdict::biased) << claim.name << " seed " << seed_text(seed);
+    }
+  }
+}
+
+TEST(ThePage, LeavesNoPaperMissing) {
+  std::set<std::string> subjects;
+  for (const Claim& claim : claims()) subjects.insert(claim.subjects.begin(), claim.subjects.end());
+  EXPECT_THAT(testing::components_without_papers(FAIRLIGHT_PAGE_DIR, subjects), ::testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace fairlight

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace fairlight::testing {
+
+/// Pixels whose draws are `spike` with probability p and else 0, each by itself.
+struct SpikyPixels {
+  std::vector<double> p;
+  std::vector<double> spike;
+  double mean(std::size_t pixel) const { return p[pixel] * spike[pixel]; }
+};
+
+/// The exact mean of every pixel of `form.estimate(draw)`: the sum over all outcomes of the first `samples` draws
+/// of each pixel, times their probability. No randomness. Throws std::logic_error when the form asks for a later
+/// draw.
+template <class Form>
+std::vector<double> mean_over_every_outcome(const SpikyPixels& pixels, std::uint64_t samples, const Form& form) {
+  const std::uint64_t bits = pixels.p.size() * samples;
+  std::vector<double> mean(pixels.p.size(), 0.0);
+  for (std::uint64_t outcome = 0; outcome < std::uint64_t{1} << bits; ++outcome) {
+    const auto hits = [&](std::size_t pixel, std::uint64_t sample) {
+      return (outcome >> (pixel * samples + sample) & 1) != 0;
+    };
+    const auto draw = [&](std::size_t pixel, std::uint64_t sample) {
+      if (sample >= samples) throw std::logic_error("a draw beyond those that are enumerated");
+      return hits(pixel, sample) ? pixels.spike[pixel] : 0;
+    };
+    double probability = 1;
+    for (std::size_t pixel = 0; pixel < pixels.p.size(); ++pixel) {
+      for (std::uint64_t sample = 0; sample < samples; ++sample) {
+        probability *= hits(pixel, sample) ? pixels.p[pixel] : 1 - pixels.p[pixel];
+      }
+    }
+    const std::vector<double> image = form.estimate(draw);
+    for (std::size_t pixel = 0; pixel < mean.size(); ++pixel) mean[pixel] += probability * image[pixel];
+  }
+  return mean;
+}
+
+/// Counts the draws that a form asks for, and remembers whether it asked for one twice.
+class CountedDraws {
+ public:
+  explicit CountedDraws(std::size_t pixels) : seen_(pixels) {}
+
+  auto draw() {
+    return [this](std::size_t pixel, std::uint64_t sample) {
+      auto& seen = seen_.at(pixel);
+      if (sample >= seen.size()) seen.resize(sample + 1, false);
+      repeated_ = repeated_ || seen[sample];
+      seen[sample] = true;
+      ++total_;
+      return static_cast<double>((7 * pixel + 3 * sample) % 11);  // something that differs
+    };
+  }
+  std::uint64_t total() const { return total_; }
+  bool repeated() const { return repeated_; }
+
+ private:
+  std::vector<std::vector<bool>> seen_;
+  std::uint64_t total_ = 0;
+  bool repeated_ = false;
+};
+
+}  // namespace fairlight::testing

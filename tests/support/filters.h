@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <support/unit_square.h>
+
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight::testing {
+
+/// What holds of every pixel filter, in whatever arithmetic it is made: `make(type_identity<Real>)` gives it.
+
+/// The edges 0, 1/2 and 1 - 2^-53, or 1 - 2^-24, and the numbers next to them.
+template <class Real>
+std::array<double, 8> edge_numbers() {
+  const double step = static_cast<double>(ulp<Real>) / 2;
+  return {0, step, 2 * step, 0.5 - step, 0.5, 0.5 + step, 1 - 2 * step, 1 - step};
+}
+
+/// Draws at the edges of the square are in the support, whose half width is `radius`.
+template <class Real, class Make>
+void expect_in_support_at_the_edges(const Make& make, double radius) {
+  const auto filter = make(std::type_identity<Real>{});
+  for (double a : edge_numbers<Real>()) {
+    for (double b : edge_numbers<Real>()) {
+      const Vec2<Real> x = filter.sample({rounded<Real>(a), rounded<Real>(b)});
+      std::array<double, lanes<Real>> across{}, density{};
+      store_lanes(x.x(), across.data());
+      store_lanes(filter.pdf(x).value(), density.data());
+      EXPECT_LE(std::abs(across[0]), radius) << a << ' ' << b;
+      EXPECT_GT(density[0], 0) << a << ' ' << b;
+    }
+  }
+}
+
+/// Lane by lane, packets give double's offsets to `offset_error` of the radius, and its density to `density_error`.
+template <class Make>
+void expect_packets_like_double(const Make& make, double radius, double offset_error, double density_error) {
+  const auto filter = make(std::type_identity<double>{});
+  const auto packets = make(std::type_identity<Packet>{});
+  for (int i = 0; i < 64; ++i) {
+    std::array<float, lanes<Packet>> u{};
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      u[k] = static_cast<float>(i * static_cast<int>(u.size()) + static_cast<int>(k)) /
+             static_cast<float>(64 * u.size());
+    }
+    const Packet all = Packet::load_unaligned(u.data());
+    const Vec2<Packet> x = packets.sample({all, Packet(0.375f)});
+    std::array<double, lanes<Packet>> across{}, along{}, density{};
+    store_lanes(x.x(), across.data());
+    store_lanes(x.y(), along.data());
+    store_lanes(packets.pdf(x).value(), density.data());
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const Vec2<double> expected = filter.sample({static_cast<double>(u[k]), 0.375});
+      EXPECT_LE((Vec2<double>(across[k], along[k]) - expected).norm(), offset_error * radius) << u[k];
+      const double reference = filter.pdf({across[k], along[k]}).value();
+      EXPECT_LE(std::abs(density[k] / reference - 1), density_error) << u[k];
+    }
+  }
+}
+
+/// The warp's derivative along each axis is one over that axis's density: it inverts the distribution function.
+template <class Filter>
+bool has_the_jacobian_one_over_its_density(const Filter& filter, const Vec2<double>& u, double tolerance) {
+  constexpr double h = 1e-6;
+  const Vec2<double> wide =
+      (filter.sample(u + Vec2<double>(h, h)) - filter.sample(u - Vec2<double>(h, h))) / (2 * h);
+  return std::abs(wide.prod() * filter.pdf(filter.sample(u)).value() - 1) < tolerance;
+}
+
+}  // namespace fairlight::testing

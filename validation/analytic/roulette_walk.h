@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cmath>
+
+#include <fairlight/estimators/lambertian.h>
+#include <fairlight/estimators/roulette.h>
+#include <fairlight/validation/experiment.h>
+
+namespace fairlight {
+
+/// A path that bounces on one diffuse surface after the other, counts what it carries at each, and has nothing but
+/// roulette to end it: the sum of the powers of the albedo, 1 / (1 - albedo), per channel.
+/// Bound: no bounce weighs more than 1 (the albedo, or with uniform directions 2 albedo z), so after roulette, and
+/// before, no channel carries more than 1, and the sum is at most the number N of vertices. From `first_depth` on a path
+/// goes on with at most the probability q that roulette has in the mean, so N - first_depth - 1 is at most geometric, and
+/// E[(N - K)+] <= q^(K - first_depth - 1) / (1 - q).
+template <class Roulette, template <class> class Directions>
+auto roulette_walk(const std::string& name, const std::string& subject, int first_depth) {
+  const Rgb<double> albedo(0.125, 0.25, 0.05);
+  const double q = albedo.maxCoeff();
+  constexpr int vertices = 12;
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    references.push_back({1 / (1 - albedo[c]), 0, vertices, std::pow(q, vertices - first_depth - 1) / (1 - q)});
+  }
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    const Rgb<Real> reflectance(rounded<Real>(albedo[0]), rounded<Real>(albedo[1]), rounded<Real>(albedo[2]));
+    const Lambertian<Real, Directions> surface(reflectance);
+    const Vec3<Real> out(Real(0), Real(0), Real(1));
+    Rgb<Real> sum = Rgb<Real>::Zero();
+    Rgb<Real> throughput = Rgb<Real>::Ones();
+    for (int depth = 0; any(max_channel(throughput) > Real(0)); ++depth) {
+      sum += throughput;
+      const auto [alive, weight] = Roulette::template play<Real>(reflectance, throughput, depth, source);
+      const auto bounce = surface.sample(out, next_pair<Real>(source));
+      throughput = select(alive, Rgb<Real>(throughput * bounce.weight * weight), zero<Rgb<Real>>());
+    }
+    return sum;
+  };
+  return Experiment{name,
+                    {subject},
+                    "bounces without end carry 1 / (1 - albedo) together, per channel",
+                    "geometric series",
+                    1,
+                    references,
+                    draw};
+}
+
+}  // namespace fairlight

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/estimators/lens.h>
+
+/// Wrong filters and lenses, each a bug of a class that somebody shipped; see wrong_components.h.
+namespace fairlight::faults {
+
+/// The distance from the lens's centre is uniform, not its square: the square root is missing, and the middle crowded.
+template <class Real>
+struct CrowdedAperture : CircularAperture<Real> {
+  explicit CrowdedAperture(Real radius) : CircularAperture<Real>(radius), radius_(radius) {}
+  Vec2<Real> sample(const Vec2<Real>& u) const {
+    using std::cos;
+    using std::sin;
+    const Real phi = Real(2) * pi<Real> * u.y();
+    return {radius_ * u.x() * cos(phi), radius_ * u.x() * sin(phi)};
+  }
+
+ private:
+  Real radius_;
+};
+
+/// A square of the disk's area in the disk's place.
+template <class Real>
+struct SquareAperture : CircularAperture<Real> {
+  explicit SquareAperture(Real radius) : CircularAperture<Real>(radius), radius_(radius) {}
+  Vec2<Real> sample(const Vec2<Real>& u) const {
+    using std::sqrt;
+    const Real side = sqrt(Real(pi<Real>)) * radius_;
+    return {side * (u.x() - Real(0.5)), side * (u.y() - Real(0.5))};
+  }
+
+ private:
+  Real radius_;
+};
+
+/// The density of a Gaussian that was never cut off, on draws that are. On record: the class of pbrt-v3 #319.
+template <class Real>
+class UnnormalisedGaussian : public GaussianFilter<Real> {
+ public:
+  UnnormalisedGaussian(Real deviation, Real radius) : GaussianFilter<Real>(deviation, radius) {
+    using std::erf;
+    using std::sqrt;
+    const Real kept = erf(radius / (sqrt(Real(2)) * deviation));
+    kept_ = kept * kept;
+  }
+  Density<Area, Real> pdf(const Vec2<Real>& x) const {
+    return Density<Area, Real>(GaussianFilter<Real>::pdf(x).value() * kept_);
+  }
+
+ private:
+  Real kept_;
+};
+
+/// Focused at a distance along the ray, on a sphere instead of a plane.
+template <class Real, class Aperture>
+class SphericalFocus {
+ public:
+  SphericalFocus(Real focus_distance, Aperture aperture) : focus_(focus_distance), aperture_(aperture) {}
+  LensRay<Real> ray(const Vec3<Real>& direction, const Vec2<Real>& u) const {
+    return ThinLens(Real(focus_ / direction.norm()), aperture_).ray(direction, u);
+  }
+
+ private:
+  Real focus_;
+  Aperture aperture_;
+};
+
+}  // namespace fairlight::faults

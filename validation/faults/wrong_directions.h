@@ -1,0 +1,75 @@
+#pragma once
+
+#include <fairlight/estimators/cone.h>
+#include <fairlight/estimators/glossy.h>
+#include <fairlight/estimators/lobe.h>
+
+/// Wrong variants of the laws of directions and of what is sampled by them, each a bug that somebody shipped.
+namespace fairlight::faults {
+
+/// Directions in a cone with the polar angle uniform: crowded at the axis. The density still says uniform.
+/// On record: the class of openmc #2041, appleseed #2851.
+template <class Real>
+class ThetaUniformCone : public UniformCone<Real> {
+ public:
+  using UniformCone<Real>::UniformCone;
+  explicit ThetaUniformCone(const UniformCone<Real>& right) : UniformCone<Real>(right) {}
+  static ThetaUniformCone of_sine_squared(Real s) {
+    return ThetaUniformCone(UniformCone<Real>::of_sine_squared(s));
+  }
+
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    using std::asin;
+    using std::sin;
+    using std::sqrt;
+    const Real half_widest = asin(sqrt(this->solid_angle() / (Real(4) * pi<Real>)));
+    const Real sine = sin(half_widest * u.x());
+    return detail::direction_below_pole(Real(Real(2) * sine * sine), u.y());
+  }
+};
+
+/// The sine of a direction in the cone from its cosine: a narrow cone collapses to its axis. On record: pbrt-v3 #212.
+template <class Real>
+class CollapsedCone : public UniformCone<Real> {
+ public:
+  explicit CollapsedCone(const UniformCone<Real>& right) : UniformCone<Real>(right) {}
+  static CollapsedCone of_sine_squared(Real s) { return CollapsedCone(UniformCone<Real>::of_sine_squared(s)); }
+
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    using std::sqrt;
+    const Real z = UniformCone<Real>::sample(u).z();
+    return detail::direction_at(z, Real(sqrt(Real(1) - z * z)), u.y());
+  }
+};
+
+/// A lobe whose draws have the exponent n - 1: cos = (1-u)^(1/n), the exponent's +1 forgotten. The density says n.
+/// On record: the class of raytracing.github.io #145.
+template <class Real>
+class BluntLobe : public PowerCosineLobe<Real> {
+ public:
+  BluntLobe(const Vec3<Real>& axis, Real exponent)
+      : PowerCosineLobe<Real>(axis, exponent), drawn_(axis, exponent - Real(1)) {}
+  Vec3<Real> sample(const Vec2<Real>& u) const { return drawn_.sample(u); }
+
+ private:
+  PowerCosineLobe<Real> drawn_;
+};
+
+template <class Real>
+using BluntGlossy = Glossy<Real, BluntLobe>;
+
+/// A glossy surface that takes the cosine's magnitude, and so reflects what is drawn below it.
+/// On record: the class of dspbr-pt #5 (support).
+template <class Real>
+struct LeakyGlossy : Glossy<Real> {
+  using Glossy<Real>::Glossy;
+  Bounce<Real> sample(const Vec3<Real>& out, const Vec2<Real>& u) const {
+    using std::abs;
+    Bounce<Real> bounce = Glossy<Real>::sample(out, u);
+    bounce.in.z() = abs(bounce.in.z());
+    bounce.weight = this->eval(out, bounce.in) * (bounce.in.z() / this->pdf(out, bounce.in).value());
+    return bounce;
+  }
+};
+
+}  // namespace fairlight::faults

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <fairlight/estimators/energy_compensation.h>
+
+/// Wrong microfacets, each a bug that somebody shipped, or of its class. They stand in for the right ones through the
+/// same template parameters, and are part of no library.
+namespace fairlight::faults {
+
+/// The density of the normal for that of the direction: without 1 / (4 out.m). On record: the class of AdaPT #22.
+template <class Real>
+struct NoHalfVectorJacobian : GgxVisibleNormals<Real> {
+  using GgxVisibleNormals<Real>::GgxVisibleNormals;
+  Density<SolidAngle, Real> reflected_pdf(const Vec3<Real>& m) const { return this->pdf(m); }
+};
+
+/// Max(0, out.m) D(m) / z_out: the masking is missing. On record: the class of three-gpu-pathtracer #847.
+template <class Real>
+class UnmaskedNormals : public GgxVisibleNormals<Real> {
+ public:
+  UnmaskedNormals(const Ggx<Real>& facets, const Vec3<Real>& out)
+      : GgxVisibleNormals<Real>(facets, out), masking_(facets.masking(out)) {}
+  Density<SolidAngle, Real> pdf(const Vec3<Real>& m) const { return unmasked(GgxVisibleNormals<Real>::pdf(m)); }
+  Density<SolidAngle, Real> reflected_pdf(const Vec3<Real>& m) const {
+    return unmasked(GgxVisibleNormals<Real>::reflected_pdf(m));
+  }
+
+ private:
+  Density<SolidAngle, Real> unmasked(Density<SolidAngle, Real> p) const {
+    return Density<SolidAngle, Real>(p.value() / masking_);
+  }
+  Real masking_;
+};
+
+/// All facets by their area, though the density is that of the visible ones. On record: the class of pbrt-v4 #215.
+template <class Real>
+class UnweightedNormals : public GgxVisibleNormals<Real> {
+ public:
+  UnweightedNormals(const Ggx<Real>& facets, const Vec3<Real>& out)
+      : GgxVisibleNormals<Real>(facets, out), all_(facets, {Real(0), Real(0), Real(1)}) {}
+  Vec3<Real> sample(const Vec2<Real>& u) const { return all_.sample(u); }
+
+ private:
+  GgxVisibleNormals<Real> all_;
+};
+
+/// Masking and shadowing as if they were independent, G1 G1, in one of the places that use it. On record: the class of
+/// mitsuba3 bcc10a142.
+template <class Real>
+struct IndependentShadowing : Ggx<Real> {
+  using Ggx<Real>::Ggx;
+  Real visibility(const Vec3<Real>& out, const Vec3<Real>& in) const {
+    return Real(1) / (Real(4) * this->projected_area(out) * this->projected_area(in));
+  }
+};
+
+/// The mean loss without the cosine: too small, so that more is given back than was lost. On record: the class of
+/// pbrt-v4's BSDF energy test.
+struct PlainMeanLoss : GgxLoss {
+  using GgxLoss::GgxLoss;
+  double mean() const {
+    return boost::math::quadrature::gauss<double, 30>::integrate([this](double z) { return (*this)(z); }, 0, 1);
+  }
+};
+
+}  // namespace fairlight::faults

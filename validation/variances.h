@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <fairlight/stats/second_order.h>
+#include <fairlight/validation/checks.h>
+
+namespace fairlight {
+
+/// Claims of second order: an estimator's variance against another's, both at the same cost.
+
+/// One of the two: its name, a draw from a source, and the range of its draws.
+struct Contender {
+  std::string name;
+  std::function<double(PhiloxStream<double>&)> draw;
+  double lower, upper;
+};
+
+/// The mean of n draws of a contender, as one.
+inline Contender mean_of(int n, const Contender& one) {
+  return {"the mean of " + std::to_string(n) + " draws of " + one.name,
+          [=](PhiloxStream<double>& source) {
+            double sum = 0;
+            for (int i = 0; i < n; ++i) sum += one.draw(source);
+            return sum / n;
+          },
+          one.lower, one.upper};
+}
+
+/// Var a <= ratio Var b: by the core test, on squared differences of draws. The note gives the ratio and its interval.
+inline Finding check_variances(const Trial& trial, double ratio, const Contender& a, const Contender& b) {
+  const auto indexed = [&](const Contender& contender, const std::string& purpose) {
+    const StreamKey key(trial.seed, trial.claim + purpose);
+    return BoundedEstimator{[=, draw = contender.draw](std::uint64_t i) {
+                              PhiloxStream<double> source(key, 0, i);
+                              return draw(source);
+                            },
+                            contender.lower, contender.upper};
+  };
+  Finding finding = test_variance_ratio(trial, ratio, indexed(a, " a"), indexed(b, " b"));
+  if (!finding.note.empty()) return finding;
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "variance ratio %.4g, in [%.4g, %.4g]", ratio * (1 + finding.bias),
+                ratio * (1 + finding.interval.lo), ratio * (1 + finding.interval.hi));
+  finding.note = text.data();
+  return finding;
+}
+
+/// The row of the registry that says so.
+inline Claim variance_claim(const std::string& name, std::vector<std::string> subjects, const std::string& source,
+                            double ratio, double margin_factor, const Contender& a, const Contender& b) {
+  std::array<char, 24> number{};
+  std::snprintf(number.data(), number.size(), "%.6g", ratio);
+  return {.name = name,
+          .kind = "variance",
+          .subjects = std::move(subjects),
+          .statement = a.name + " has at most " + number.data() + " times the variance of " + b.name,
+          .source = source,
+          .margin_factor = margin_factor,
+          .check = [=](const Trial& trial) { return check_variances(trial, ratio, a, b); }};
+}
+
+}  // namespace fairlight
