@@ -90,6 +90,12 @@ Finding check_mean(const Trial& trial, const std::vector<Reference>& references,
 /// the core test needs some 5 range / (margin mean) replicates however little they vary.
 inline constexpr std::uint32_t points_a_replicate = 64;
 
+/// As many; fewer where the range is so wide that it alone sets how many replicates there must be.
+inline std::uint32_t points_for(const std::vector<Reference>& references) {
+  const auto wide = [](const Reference& r) { return r.upper - r.lower > 8 * std::abs(r.scale); };
+  return std::ranges::any_of(references, wide) ? points_a_replicate / 4 : points_a_replicate;
+}
+
 /// The mean of an estimator over the points of one replicate of a set.
 template <PointSet Set, class Draw>
 auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
@@ -106,8 +112,7 @@ auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t
 /// The mean of an estimator from a point set, in double: whole replicates are the draws of the core test. Their
 /// range is that of the estimator, but for the n roundings of the sum.
 template <PointSet Set, class Draw>
-Finding check_replicates(const Trial& trial, std::vector<Reference> references, const Draw& draw,
-                         std::uint32_t n = points_a_replicate) {
+Finding check_replicates(const Trial& trial, std::vector<Reference> references, const Draw& draw, std::uint32_t n) {
   for (Reference& r : references) {
     const double slack = n * ulp<double> * std::max(std::abs(r.lower), std::abs(r.upper));
     r.lower -= r.lower == 0 ? 0 : slack;

@@ -77,7 +77,8 @@ Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& point
           .margin_factor = 2 * e.margin_factor,
           .check = [e](const Trial& trial) {
             return check_replicates<Set<double>>(
-                trial, e.references, [&](auto& source) { return e.draw(std::type_identity<double>{}, source); });
+                trial, e.references, [&](auto& source) { return e.draw(std::type_identity<double>{}, source); },
+                points_for(e.references));
           }};
 }
 

@@ -14,6 +14,7 @@ struct LawExperiment {
   std::string name, subject, source;
   Make make;
   Domain domain;
+  double law_margin = 5;  ///< of the chi-square row, in units of the run's: more where draws are dear
 
   template <class Real>
   auto law() const {
@@ -22,9 +23,9 @@ struct LawExperiment {
 };
 
 template <class Make, class Domain>
-LawExperiment(std::string, std::string, std::string, Make, Domain) -> LawExperiment<Make, Domain>;
+LawExperiment(std::string, std::string, std::string, Make, Domain, double = 5) -> LawExperiment<Make, Domain>;
 
-/// By chi-square. The margin is a relative L2 distance of laws, five times that of a mean.
+/// By chi-square. The margin is a relative L2 distance of laws, five times that of a mean or as the experiment says.
 template <class Make, class Domain>
 Claim law_claim(const LawExperiment<Make, Domain>& e) {
   return {.name = e.name + ".law",
@@ -32,7 +33,7 @@ Claim law_claim(const LawExperiment<Make, Domain>& e) {
           .subjects = {e.subject},
           .statement = "the draws follow the stated density, which integrates to one",
           .source = e.source,
-          .margin_factor = 5,
+          .margin_factor = e.law_margin,
           .check = [e](const Trial& trial) { return check_law(trial, e.template law<double>(), e.domain); }};
 }
 
@@ -69,6 +70,41 @@ Claim density_claim(const LawExperiment<Make, Domain>& e) {
           .real = "packet"};
 }
 
+/// The mean coordinates of a law over its domain's square, of s, t and s t, by quadrature.
+template <class Law, class Domain>
+std::vector<Reference> mean_coordinates(const Law& law, const Domain& domain) {
+  const auto mean = [&](const auto& f) {
+    return integrate_rectangle(
+               [&](double s, double t) { return f(s, t) * law.pdf(domain.at(s, t)).value() * domain.size(); }, 0, 1,
+               0, 1)
+        .value;
+  };
+  return {{mean([](double s, double) { return s; }), 0, 1},
+          {mean([](double, double t) { return t; }), 0, 1},
+          {mean([](double s, double t) { return s * t; }), 0, 1}};
+}
+
+/// From the points of a set, whole replicates being the draws: their mean coordinates are those of the density.
+template <template <class> class Set, class Make, class Domain>
+Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetKind<Set>& points) {
+  return {.name = e.name + ".coordinates." + points.suffix,
+          .kind = "mean",
+          .subjects = {e.subject, points.subject, "PointSource"},
+          .statement = "over the points of a replicate, the draws have the mean coordinates of the stated density",
+          .source = e.source,
+          .margin_factor = 2,
+          .check = [e](const Trial& trial) {
+            const auto law = e.template law<double>();
+            return check_replicates<Set<double>>(
+                trial, mean_coordinates(law, e.domain),
+                [&](auto& source) {
+                  const Eigen::Vector2d place = e.domain.coordinates(law.sample(next_pair<double>(source)));
+                  return Rgb<double>(place.x(), place.y(), place.x() * place.y());
+                },
+                points_a_replicate);
+          }};
+}
+
 /// All of them.
 template <class Make, class Domain>
 void add_law(std::vector<Claim>& claims, const LawExperiment<Make, Domain>& e) {
@@ -76,6 +112,9 @@ void add_law(std::vector<Claim>& claims, const LawExperiment<Make, Domain>& e) {
   claims.push_back(law_moments_claim<double>(e));
   claims.push_back(law_moments_claim<Packet>(e));
   claims.push_back(density_claim(e));
+  claims.push_back(law_replicates_claim(e, sobol_points));
+  claims.push_back(law_replicates_claim(e, stratified_points));
+  claims.push_back(law_replicates_claim(e, latin_points));
 }
 
 /// Uniform points on a sphere of radius 2.5.

@@ -10,33 +10,39 @@ namespace fairlight {
 
 /// Claims of second order: an estimator's variance against another's, both at the same cost.
 
-/// One of the two: its name, a draw from a source, and the range of its draws.
+/// One of the two: its name, draw `index` under a key, and the range of its draws.
 struct Contender {
   std::string name;
-  std::function<double(PhiloxStream<double>&)> draw;
+  std::function<double(const StreamKey& key, std::uint64_t index)> draw;
   double lower, upper;
 };
 
-/// The mean of n draws of a contender, as one.
-inline Contender mean_of(int n, const Contender& one) {
-  return {"the mean of " + std::to_string(n) + " draws of " + one.name,
-          [=](PhiloxStream<double>& source) {
+/// An estimator that takes independent numbers: `draw(source)`. With n > 1, the mean of n draws from one source.
+template <class Draw>
+Contender independent_draws(const std::string& name, const Draw& draw, double lower, double upper, int n = 1) {
+  return {name,
+          [=](const StreamKey& key, std::uint64_t index) {
+            PhiloxStream<double> source(key, 0, index);
             double sum = 0;
-            for (int i = 0; i < n; ++i) sum += one.draw(source);
+            for (int i = 0; i < n; ++i) sum += draw(source);
             return sum / n;
           },
-          one.lower, one.upper};
+          lower, upper};
+}
+
+/// An estimator over the n points of a set: a replicate is a draw.
+template <PointSet Set, class Draw>
+Contender replicates_of(const std::string& name, const Draw& draw, double lower, double upper, std::uint32_t n) {
+  return {name, [=](const StreamKey& key, std::uint64_t index) { return replicate_mean<Set>(key, index, n, draw); },
+          lower, upper};
 }
 
 /// Var a <= ratio Var b: by the core test, on squared differences of draws. The note gives the ratio and its interval.
 inline Finding check_variances(const Trial& trial, double ratio, const Contender& a, const Contender& b) {
   const auto indexed = [&](const Contender& contender, const std::string& purpose) {
     const StreamKey key(trial.seed, trial.claim + purpose);
-    return BoundedEstimator{[=, draw = contender.draw](std::uint64_t i) {
-                              PhiloxStream<double> source(key, 0, i);
-                              return draw(source);
-                            },
-                            contender.lower, contender.upper};
+    return BoundedEstimator{[key, draw = contender.draw](std::uint64_t i) { return draw(key, i); }, contender.lower,
+                            contender.upper};
   };
   Finding finding = test_variance_ratio(trial, ratio, indexed(a, " a"), indexed(b, " b"));
   if (!finding.note.empty()) return finding;

@@ -94,16 +94,24 @@ TEST(ReplicateMean, IsTheMeanOverThePointsOfOneReplicate) {
 
 TEST(CheckReplicates, CertifiesTheMeanAndOnlyTheMean) {
   const auto check = [](double mean) {
-    return check_replicates<LatinHypercube<double>>(trial, {{0.5, 0, 1}, {mean, 1, 3}},
-                                                    [](auto& source) {
-                                                      const double u = source.next();
-                                                      return Eigen::Array2d(u, 2 * u + 1);
-                                                    })
+    return check_replicates<LatinHypercube<double>>(
+               trial, {{0.5, 0, 1}, {mean, 1, 3}},
+               [](auto& source) {
+                 const double u = source.next();
+                 return Eigen::Array2d(u, 2 * u + 1);
+               },
+               points_a_replicate)
         .verdict;
   };
   EXPECT_EQ(check(2), Verdict::certified);
   EXPECT_EQ(check(2.2), Verdict::biased);
   EXPECT_EQ(check(1.8), Verdict::biased);
+}
+
+TEST(PointsFor, AreFewerWhereTheRangeIsWide) {
+  EXPECT_EQ(points_for({{1, 0, 8}}), 64u);
+  EXPECT_EQ(points_for({{1, 0, 8}, {1, 0, 9}}), 16u);
+  EXPECT_EQ(points_for({{.mean = 0, .lower = -1, .upper = 1, .scale = 1}}), 64u);
 }
 
 // (0.1 + 0.1 + 0.1) / 3 rounds to more than 0.1.

@@ -21,13 +21,16 @@ auto cone_law() {
 template <template <class> class Lobe>
 auto lobe_law(const std::string& name, double exponent) {
   const Eigen::Vector3d axis(2.0 / 3, -1.0 / 3, 2.0 / 3);
-  return LawExperiment{name, "PowerCosineLobe", "Lafortune and Willems 1994",
+  return LawExperiment{name,
+                       "PowerCosineLobe",
+                       "Lafortune and Willems 1994",
                        [=]<class Real>(std::type_identity<Real>) {
                          const Vec3<Real> about(rounded<Real>(axis.x()), rounded<Real>(axis.y()),
                                                 rounded<Real>(axis.z()));
                          return Lobe<Real>(about, rounded<Real>(exponent));
                        },
-                       CapDomain(1, axis)};
+                       CapDomain(1, axis),
+                       8};
 }
 
 /// The integral over a cone of 1 + sin^2(theta) / sin^2(theta_max). With s the latter and H = 1 - cos(theta_max),

@@ -20,9 +20,12 @@ namespace fairlight {
 /// The Gaussian of half a pixel, cut off at two deviations.
 template <template <class> class Filter>
 auto gaussian_law() {
-  return LawExperiment{"filter.gaussian", "GaussianFilter", "Ernst, Stamminger, Greiner 2006",
+  return LawExperiment{"filter.gaussian",
+                       "GaussianFilter",
+                       "Ernst, Stamminger, Greiner 2006",
                        []<class Real>(std::type_identity<Real>) { return Filter<Real>(Real(0.5), Real(1)); },
-                       SquareDomain{-1, 1}};
+                       SquareDomain{-1, 1},
+                       8};
 }
 
 /// Uniform points of a disk of radius 2.5.

@@ -21,7 +21,7 @@ void add_filters(std::vector<Claim>& claims) {
   add_law(claims,
           LawExperiment{"filter.blackman_harris", "BlackmanHarrisFilter", "Harris 1978",
                         []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); },
-                        SquareDomain{-1.5, 1.5}});
+                        SquareDomain{-1.5, 1.5}, 10});
 }
 
 void add_apertures(std::vector<Claim>& claims) {
