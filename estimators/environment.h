@@ -1,7 +1,7 @@
 #pragma once
 
-#include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/light_sample.h>
+#include <fairlight/estimators/sphere_directions.h>
 
 namespace fairlight {
 
@@ -17,15 +17,12 @@ class ConstantEnvironment {
   using Scalar = Real;
 
   LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
-    using std::sqrt;
-    const Real z = Real(1) - Real(2) * u.x();
-    const Real ring = Real(2) * sqrt(u.x() * (Real(1) - u.x()));
-    const Vec3<Real> direction = detail::direction_at(z, ring, u.y());
+    const Vec3<Real> direction = UniformSphere<Real>().sample(u);
     return {direction, Real(infinity<Real>), pdf(from, direction)};
   }
 
-  Density<SolidAngle, Real> pdf(const Vec3<Real>&, const Vec3<Real>&) const {
-    return Density<SolidAngle, Real>(Real(1) / (Real(4) * pi<Real>));
+  Density<SolidAngle, Real> pdf(const Vec3<Real>&, const Vec3<Real>& direction) const {
+    return UniformSphere<Real>().pdf(direction);
   }
 };
 

@@ -2,13 +2,12 @@
 
 #include <stdexcept>
 
-#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/cone.h>
 #include <fairlight/estimators/light_sample.h>
 
 namespace fairlight {
 
-/// A sphere from where a point stands, in a frame whose +z leads from the centre through the point. With r the radius
-/// and d the distance of the centre, everything comes from the height h = d - r above the surface, so that nothing
+/// A sphere from where a point stands, in a frame whose +z leads from the point to the centre. With r the radius and d the distance of the centre, everything comes from the height h = d - r above the surface, so that nothing
 /// cancels for a point that is near a large sphere or far from a small one.
 /// Outside (h > 0) the outer face is seen, inside (h < 0) the inner one; at the surface (h = 0) the inner one too,
 /// through the half of all directions that lead inwards. Where a select drops a branch, that may be a NaN.
@@ -17,29 +16,18 @@ class SphereView {
  public:
   /// The offset leads from the centre to the point [m].
   SphereView(const Vec3<Real>& offset, Real radius, const Mask<Real>& on_surface)
-      : frame_(up(offset)),
+      : frame_(ahead(offset)),
         radius_(radius),
         distance_(select(on_surface, radius, Real(offset.norm()))),
         height_(distance_ - radius) {}
 
   Mask<Real> outside() const { return height_ > Real(0); }
 
-  /// 1 - cos(a) of the cone of directions that meet the sphere: outside sin(a) = r/d; at the surface 1 (half of all
-  /// directions), inside 2 (all of them).
-  Real cap() const {
-    using std::sqrt;
-    const Real ratio = radius_ / distance_;
-    const Real cosine = sqrt(select(outside(), level(), Real(0))) / distance_;
-    return select(height_ < Real(0), Real(2), Real(ratio * ratio / (Real(1) + cosine)));
-  }
-
-  /// The sample in the direction of the sphere's point whose outward unit normal, in the frame, is given.
+  /// The sample in the direction of a point of the sphere, drawn with the given density. `normal` is its outward normal, in
+  /// the frame but for its z, which is positive on the half that faces the point: (0, 0, 1) is that of the nearest.
   LightSample<Real> towards(const Vec3<Real>& normal, Density<Area, Real> density) const {
-    using std::abs;
-    const Real ring = normal.x() * normal.x() + normal.y() * normal.y();
-    const Real drop =
-        select(normal.z() > Real(0), Real(ring / (Real(1) + abs(normal.z()))), Real(Real(1) - normal.z()));
-    const Vec3<Real> way(radius_ * normal.x(), radius_ * normal.y(), -(height_ + radius_ * drop));
+    const Real drop = detail::drop_below_pole(normal);
+    const Vec3<Real> way(radius_ * normal.x(), radius_ * normal.y(), height_ + radius_ * drop);
     const Real length = way.norm();
     const Real distance = select(length > Real(0), length, Real(1));
     const Real inwards = (distance_ * drop - height_) / distance;
@@ -50,21 +38,19 @@ class SphereView {
             Density<SolidAngle, Real>(select(seen, over_angle.value(), Real(0)))};
   }
 
-  /// The sample in the direction at 1 - cos(theta) = u_x cap() from the centre's, `turn` about it.
-  /// With cosines c and c_a of the directions and of the cone's edge, the chord's half is
-  /// r sqrt((1 - u_x) (c + c_a) / (1 + c_a)) outside, and sqrt(d^2 c^2 - level) inside.
+  /// The sample in a direction of the cone, at 1 - cos(theta) = u_x (1 - cos(a)) from its axis. Half of the chord is
+  /// r sqrt((1 - u_x) (cos(theta) + cos(a)) / (1 + cos(a))) outside, and sqrt(d^2 cos^2(theta) - level) inside.
   LightSample<Real> within_cone(const Vec2<Real>& u) const {
     using std::sqrt;
-    const Real whole_cap = cap();
-    const Real drop = u.x() * whole_cap;
-    const Real cosine = Real(1) - drop;
-    const Real rest = Real(2) - whole_cap;
-    const Real along = distance_ * cosine;
+    const Real edge = cap();
+    const Real drop = u.x() * edge;
+    const Real along = distance_ * (Real(1) - drop);
+    const Real rest = Real(2) - edge;
     const Real half_chord = select(outside(), Real(radius_ * sqrt((Real(1) - u.x()) * (rest - drop) / rest)),
                                    Real(sqrt(inner_square(along))));
-    const Real sine = sqrt(drop * (Real(2) - drop));
-    return {frame_.to_world(detail::direction_at(Real(-cosine), sine, u.y())), distance(along, half_chord),
-            Density<SolidAngle, Real>(Real(1) / (Real(2) * pi<Real> * whole_cap))};
+    const UniformCone<Real> directions(edge);
+    return {frame_.to_world(directions.sample(u)), distance(along, half_chord),
+            Density<SolidAngle, Real>(Real(1) / directions.solid_angle())};
   }
 
   /// The density of a direction whose point on the sphere is drawn with the given one, which is constant on what is seen;
@@ -72,7 +58,7 @@ class SphereView {
   Density<SolidAngle, Real> over_angle(const Vec3<Real>& direction, Density<Area, Real> density) const {
     using std::sqrt;
     const Vec3<Real> w = frame_.to_local(direction);
-    const Real along = -distance_ * w.z();
+    const Real along = distance_ * w.z();
     const Real square = select(outside(), Real(radius_ * radius_ - off_axis_square(w)), inner_square(along));
     const Mask<Real> met = square > Real(0) && (along > Real(0) || height_ < Real(0));
     const Real half_chord = sqrt(select(met, square, radius_ * radius_));
@@ -82,18 +68,25 @@ class SphereView {
 
   /// The density of a direction drawn by within_cone.
   Density<SolidAngle, Real> cone_density(const Vec3<Real>& direction) const {
-    const Vec3<Real> w = frame_.to_local(direction);
-    const Mask<Real> narrow = off_axis_square(w) <= radius_ * radius_ || height_ <= Real(0);
-    const Mask<Real> drawn = height_ < Real(0) || (w.z() < Real(0) && narrow);
-    return Density<SolidAngle, Real>(select(drawn, Real(Real(1) / (Real(2) * pi<Real> * cap())), Real(0)));
+    return UniformCone<Real>(cap()).pdf(frame_.to_local(direction));
   }
 
  private:
-  static Vec3<Real> up(const Vec3<Real>& offset) {
+  // From the point to the centre; any direction where they are one.
+  static Vec3<Real> ahead(const Vec3<Real>& offset) {
     const Real length = offset.norm();
     const Mask<Real> apart = length > Real(0);
-    return select(apart, Vec3<Real>(offset / select(apart, length, Real(1))),
+    return select(apart, Vec3<Real>(offset / select(apart, Real(-length), Real(1))),
                   Vec3<Real>(Real(0), Real(0), Real(1)));
+  }
+
+  // 1 - cos(a) of the cone of directions that meet the sphere: outside sin(a) = r/d; at the surface a is a right angle, and
+  // inside, where all directions do, two.
+  Real cap() const {
+    using std::sqrt;
+    const Real ratio = radius_ / distance_;
+    const Real cosine = sqrt(select(outside(), level(), Real(0))) / distance_;
+    return select(height_ < Real(0), Real(2), Real(ratio * ratio / (Real(1) + cosine)));
   }
 
   // d^2 - r^2 [m^2], the product of the distances at which any line through the point meets the sphere.

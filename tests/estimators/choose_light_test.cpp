@@ -75,6 +75,7 @@ std::vector<double> weights(int n) {
   return all;
 }
 
+// The other choice takes 24 bits of the first number, so at the ends it may differ.
 RC_GTEST_PROP(PowerChoice, IsTheInverseOfTheCumulativeWeights, ()) {
   const int n = *rc::gen::inRange(1, 100001);
   const std::vector<double> all = weights(n);
@@ -91,8 +92,8 @@ RC_GTEST_PROP(PowerChoice, IsTheInverseOfTheCumulativeWeights, ()) {
   RC_ASSERT(below / total <= u.x() + 1e-15 && u.x() <= (below + all[chosen]) / total + 1e-15);
   const auto weight = [&](int i) { return all[static_cast<std::size_t>(i)]; };
   const auto again = ContributionChoice<double, decltype(weight)>(n, weight).sample(u);
-  RC_ASSERT(again.index == pick.index || std::abs(below / total - u.x()) < 1e-13 ||
-            std::abs((below + all[chosen]) / total - u.x()) < 1e-13);
+  RC_ASSERT(again.index == pick.index || std::abs(below / total - u.x()) < 0x1p-24 ||
+            std::abs((below + all[chosen]) / total - u.x()) < 0x1p-24);
 }
 
 // In packets the place where one alternative ends and the next begins is exact to 2^-48.

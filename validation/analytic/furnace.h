@@ -31,23 +31,22 @@ struct Furnace {
 /// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series.
 /// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q). Where rho =
 /// q a path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 60 leaves 2e-9. With shadow
-/// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger, if no shadow ray brings more
-/// than rho Le; if one may bring `largest` times that, the whole sum is at most `largest` times as large.
+/// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger.
 template <class Tracer>
-Claim furnace_claim(const std::string& name, std::vector<std::string> subjects, double largest = 1) {
+Claim furnace_claim(const std::string& name, std::vector<std::string> subjects) {
   return {name,
           "mean",
           std::move(subjects),
           "inside a closed sphere the radiance is Le / (1 - rho), per channel",
           "geometric series of the transport operator",
           1,
-          [=](const Trial& trial) {
+          [](const Trial& trial) {
             const Furnace furnace;
             const double q = furnace.albedo.maxCoeff();
             std::vector<Reference> references;
             for (int c = 0; c < 3; ++c) {
               constexpr int vertices = 60;
-              const double le = largest * furnace.radiance[c];
+              const double le = furnace.radiance[c];
               const double ratio = furnace.albedo[c] / q;
               const bool endless = ratio == 1;
               const double upper = endless ? le * vertices : le / (1 - ratio) * (1 + 1e-9);
@@ -107,7 +106,8 @@ Claim two_spheres_claim(const std::string& name, std::vector<std::string> subjec
 }
 
 /// Paths of at most `depth` bounces against the partial sum.
-/// Bound: a bounce multiplies the throughput by at most `largest_weight` rho / q; q is 1 without roulette.
+/// Bound: a bounce multiplies the throughput by at most `largest_weight` rho / q, and a shadow ray brings at most
+/// `largest_weight` rho Le; q is 1 without roulette.
 template <class Tracer>
 Claim furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
                           double largest_weight) {

@@ -53,7 +53,7 @@ class Table {
 /// largest draw: where there is one light the mean is the largest itself, and must lie within.
 template <class Make>
 auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, const ManyLights& lights,
-                   const Make& make, double largest) {
+                   const Make& make, double largest, double margin_factor = 1) {
   const auto each = [&]<class Real>(std::type_identity<Real> real) {
     return [sum = std::make_shared<const decltype(make(real))>(make(real)),
             terms = std::make_shared<const Table<Real>>(lights.terms),
@@ -77,7 +77,7 @@ auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, c
                         " unequal lights, a third of them black, over its probability "
                         "sums them all",
                     "elementary; the paper, A.1",
-                    1,
+                    margin_factor,
                     {{lights.sum(), 0, 2 * largest}},
                     draw};
 }
@@ -105,9 +105,11 @@ struct OneByPlace {
 };
 
 /// Bound: the probability of a light is at least its power over (1 + blur) times the sum.
-inline auto sum_by_contribution(const std::string& name, const ManyLights& lights, double blur) {
+inline auto sum_by_contribution(const std::string& name, const ManyLights& lights, double blur,
+                                double margin_factor) {
   const auto make = [=]<class Real>(std::type_identity<Real>) { return OneByPlace{lights.powers, blur}; };
-  return sum_of_lights(name, {"OneBy", "ContributionChoice"}, lights, make, (1 + blur) * lights.largest_by_power());
+  return sum_of_lights(name, {"OneBy", "ContributionChoice"}, lights, make, (1 + blur) * lights.largest_by_power(),
+                       margin_factor);
 }
 
 /// One of them uniformly.

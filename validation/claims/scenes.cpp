@@ -26,8 +26,6 @@ void add_furnaces(std::vector<Claim>& claims) {
       "furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}));
   claims.push_back(two_spheres_claim<Tracer<One, Roulette>>(
       "furnace.two_spheres.one", {"PathTracer", "DirectLight", "OneOf", "RouletteByReflectance"}));
-  claims.push_back(furnace_claim<Tracer<AllByCone, Roulette>>("furnace.light.cone",
-                                                              {"PathTracer", "DirectLight", "SphereByCone"}, 2));
   claims.push_back(two_spheres_claim<Tracer<AllByCone, Roulette>>(
       "furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllOf", "SphereByCone"}, 8));
   const OneBy by_power = one_by_power(furnace_with_another().scene);
@@ -38,6 +36,8 @@ void add_furnaces(std::vector<Claim>& claims) {
       "furnace.depth3.uniform", {"PathTracer", "NoRoulette", "UniformHemisphere"}, 3, 2));
   claims.push_back(furnace_partial_sum<Tracer<All, NoRoulette, UniformHemisphere>>(
       "furnace.depth3.light", {"PathTracer", "NoRoulette", "DirectLight"}, 3, 2));
+  claims.push_back(furnace_partial_sum<Tracer<AllByCone, NoRoulette>>(
+      "furnace.depth3.cone", {"PathTracer", "NoRoulette", "DirectLight", "SphereByCone"}, 3, 2));
 }
 
 void add_one_light(std::vector<Claim>& claims) {
