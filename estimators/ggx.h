@@ -70,6 +70,7 @@ class GgxVisibleNormals {
     using std::sqrt;
     if (!all(out.z() > Real(0)))
       throw std::invalid_argument("normals are seen from below the surface (give a direction with z > 0)");
+    require_unit(out, "the direction that normals are seen from");
     // From the stretched direction w the facets are a hemisphere's. Nearer to the pole than 1e-15, it is at the pole.
     const Vec3<Real> w = facets.stretched(out) / facets.stretched(out).norm();
     const Real sine = sqrt(w.x() * w.x() + w.y() * w.y());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -32,6 +34,14 @@ Value zero() {
   } else {
     return Value(0);
   }
+}
+
+/// Throws std::invalid_argument unless `v`, called `what`, is a unit vector but for rounding.
+template <class Real>
+void require_unit(const Vec3<Real>& v, const char* what) {
+  using std::abs;
+  if (all(Real(abs(Real(v.squaredNorm() - Real(1)))) <= Real(256 * ulp<Real>))) return;
+  throw std::invalid_argument(std::string(what) + " must be a unit vector (divide it by its length)");
 }
 
 /// An orthonormal, right-handed frame about a unit normal.

@@ -105,7 +105,7 @@ RC_GTEST_PROP(GgxVisibleNormals, GivesUnitNormalsAboveTheSurfaceInFloats, ()) {
 TEST(GgxVisibleNormals, KeepsItsDigitsInFloatsWhereTheSumCancels) {
   const Vec3<float> out(0.8f, 0, 0.6f);
   const GgxVisibleNormals<float> floats(Ggx<float>(0.5f, 0.25f), out);
-  const GgxVisibleNormals<double> doubles(Ggx<double>(0.5, 0.25), out.cast<double>());
+  const GgxVisibleNormals<double> doubles(Ggx<double>(0.5, 0.25), out.cast<double>().normalized());
   const Vec2<float> u(1 - 0x1p-15f, 0.5f + 0x1p-15f);
   const Vec3<double> exact = doubles.sample(u.cast<double>());
   EXPECT_LE((floats.sample(u).cast<double>() - exact).norm(), 1e-6) << exact.transpose();
@@ -146,6 +146,10 @@ TEST(GgxVisibleNormals, IsTheSameInPackets) {
     EXPECT_NEAR(static_cast<double>(packets.invert(n).x().get(0)), u.x(), 2e-6);
     EXPECT_NEAR(static_cast<double>(packets.invert(n).y().get(0)), u.y(), 2e-6);
   }
+}
+
+TEST(GgxVisibleNormals, RefusesADirectionThatIsNoUnitVector) {
+  EXPECT_THROW(GgxVisibleNormals<double>({0.5, 0.5}, {0, 0, 2}), std::invalid_argument);
 }
 
 }  // namespace

@@ -67,5 +67,10 @@ TEST(Lambertian, WantsAnAlbedoInZeroToOne) {
   }
 }
 
+// Nothing is normalised: a direction twice as long has twice the density, as the formula says.
+TEST(Lambertian, TakesDirectionsAsTheyAre) {
+  EXPECT_DOUBLE_EQ(Lambertian<double>(albedo).pdf(up, {0, 0, 2}).value(), 2 / M_PI);
+}
+
 }  // namespace
 }  // namespace fairlight

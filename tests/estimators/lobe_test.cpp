@@ -100,5 +100,10 @@ TEST(PowerCosineLobe, RefusesAnExponentThatIsNone) {
   EXPECT_THROW(PowerCosineLobe<double>(tilted, std::nan("")), std::invalid_argument);
 }
 
+TEST(PowerCosineLobe, RefusesAnAxisThatIsNoUnitVector) {
+  EXPECT_THROW(PowerCosineLobe<double>({0, 0, 2}, 1), std::invalid_argument);
+  EXPECT_THROW(PowerCosineLobe<Packet>({Packet(0), Packet(0), Packet(0.5f)}, Packet(1)), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -33,6 +34,20 @@ RC_GTEST_PROP(Frame, TakesAVectorThereAndBack, ()) {
   const Frame<double> frame(normal);
   const Vec3<double> local = UniformHemisphere<double>().sample(*testing::unit_point());
   RC_ASSERT((frame.to_local(frame.to_world(local)) - local).norm() <= 4e-15);
+}
+
+TEST(RequireUnit, RefusesAnyOtherLengthInEveryLane) {
+  EXPECT_NO_THROW(require_unit<double>({0.6, 0, 0.8}, "it"));
+  EXPECT_THROW(require_unit<double>({0.6, 0, 0.81}, "it"), std::invalid_argument);
+  EXPECT_THROW(require_unit<double>({0, 0, 0}, "it"), std::invalid_argument);
+  EXPECT_THROW(require_unit<double>({NAN, 0, 1}, "it"), std::invalid_argument);
+  const Packet x(0.6f);
+  EXPECT_NO_THROW(require_unit<Packet>({x, Packet(0), Packet(0.8f)}, "it"));
+  std::array<float, lanes<Packet>> lengths{};
+  lengths.fill(1);
+  lengths.back() = 2;
+  EXPECT_THROW(require_unit<Packet>({Packet(0), Packet(0), Packet::load_unaligned(lengths.data())}, "it"),
+               std::invalid_argument);
 }
 
 }  // namespace
