@@ -73,7 +73,7 @@ class GgxLoss {
     const Number x = sqrt((Number(1) + a) * z / (z + a));
     const Number twice = Number(4) * x - Number(2);
     Number next(0);
-    Number sum(0);
+    Number sum = Number(0);
     for (std::size_t j = terms - 1; j > 0; --j) {  // Clenshaw
       const Number before = twice * sum - next + rounded<Number>(series_[j]);
       next = sum;

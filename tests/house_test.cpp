@@ -59,6 +59,7 @@ TEST(House, NoticesAQuotedInclude) {
 // A sampler with all its papers, from which a test takes one away.
 struct Papers {
   std::string comment = "/// Formula  p\n/// Measure  m\n/// Domain   d\n/// Random   u\n/// Source   s\n";
+  std::string head = "template <class Real>\n";
   std::string test = "Disk";
   std::string docs = "## Disk\n";
   std::set<std::string> rows{"Disk"};
@@ -66,7 +67,7 @@ struct Papers {
   std::vector<std::string> problems() const {
     const TemporaryFolder tree;
     write_file(tree / "estimators/disk.h",
-               comment + "template <class Real>\nstruct Disk {\n  P sample(U u) const;\n  D pdf(P x) const;\n};\n");
+               comment + head + "struct Disk {\n  P sample(U u) const;\n  D pdf(P x) const;\n};\n");
     write_file(tree / "tests/estimators/disk_test.cpp", test);
     write_file(tree / "docs/estimators.md", docs);
     return components_without_papers(tree.path(), rows);
@@ -90,6 +91,12 @@ TEST(House, NoticesASamplerWithoutASectionInTheDocs) {
   Papers papers;
   papers.docs = "## Disks\n";
   EXPECT_THAT(papers.problems(), Contains("Disk has no section in docs/estimators.md"));
+}
+
+TEST(House, ReadsTheCommentAboveATemplateOfSeveralLines) {
+  Papers papers;
+  papers.head = "template <class Real,\n          class Other>\n";
+  EXPECT_THAT(papers.problems(), IsEmpty());
 }
 
 TEST(House, NoticesASamplerThatDoesNotNameItsMeasure) {

@@ -50,7 +50,8 @@ std::vector<Component> components(const fs::path& header) {
       found.push_back({match[1], comment, ""});
       inside = line.find("};") == std::string::npos;
       comment.clear();
-    } else if (!line.starts_with("template")) {
+    } else if (!line.starts_with("template") &&
+               !line.starts_with(" ")) {  // or its parameters, on a line of their own
       comment.clear();
     }
   }
