@@ -102,7 +102,7 @@ void add_environment(std::vector<Claim>& claims) {
 
 void add_picks(std::vector<Claim>& claims) {
   for (const int n : {1, 2, 1000, 100'000}) {
-    const std::string among = "." + std::to_string(n);
+    const std::string among = std::string(".").append(std::to_string(n));
     const ManyLights lights(n, 0.5);
     add_mean(claims, sum_by_number("pick.one" + among, lights));
     add_mean(claims, sum_by_power<PowerChoice>("pick.power" + among, lights, lights.largest_by_power()));
