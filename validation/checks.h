@@ -163,20 +163,18 @@ class Draws {
 
   /// Draw i, in double; and the density that the law gives it.
   auto point(std::uint64_t i) { return detail::lane_of(packet(i).point, i % lanes<Real>); }
-  double density(std::uint64_t i) { return detail::lane_of(packet(i).density, i % lanes<Real>); }
+  double density(std::uint64_t i) { return detail::lane_of(law_.pdf(packet(i).point).value(), i % lanes<Real>); }
 
  private:
   struct Made {
     std::uint64_t number;
     typename Law::Point point;
-    Real density;
   };
 
   const Made& packet(std::uint64_t i) {
     if (made_.empty() || made_[0].number != i / lanes<Real>) {
       PhiloxStream<Real> source(key_, 0, i - i % lanes<Real>);
-      const typename Law::Point x = law_.sample(next_pair<Real>(source));
-      made_.assign(1, {i / lanes<Real>, x, law_.pdf(x).value()});
+      made_.assign(1, {i / lanes<Real>, law_.sample(next_pair<Real>(source))});
     }
     return made_[0];
   }

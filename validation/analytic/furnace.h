@@ -33,13 +33,13 @@ struct Furnace {
 /// q a path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 60 leaves 2e-9. With shadow
 /// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger.
 template <class Tracer>
-Claim furnace_claim(const std::string& name, std::vector<std::string> subjects) {
+Claim furnace_claim(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1) {
   return {name,
           "mean",
           std::move(subjects),
           "inside a closed sphere the radiance is Le / (1 - rho), per channel",
           "geometric series of the transport operator",
-          1,
+          margin_factor,
           [](const Trial& trial) {
             const Furnace furnace;
             const double q = furnace.albedo.maxCoeff();

@@ -15,7 +15,7 @@ void add_roulette(std::vector<Claim>& claims) {
   add_mean(claims, roulette_walk<RouletteByThroughput<1>, UniformHemisphere>("roulette.walk.throughput_later",
                                                                              "RouletteByThroughput", 1));
   claims.push_back(furnace_claim<PathTracer<CosineHemisphere, NoDirectLight, RouletteByThroughput<>>>(
-      "furnace.throughput", {"PathTracer", "NoDirectLight", "RouletteByThroughput"}));
+      "furnace.throughput", {"PathTracer", "NoDirectLight", "RouletteByThroughput"}, 2));
 }
 
 void add_mis(std::vector<Claim>& claims) {

@@ -21,7 +21,7 @@ void add_furnaces(std::vector<Claim>& claims) {
   claims.push_back(furnace_claim<Tracer<NoDirectLight, Roulette>>(
       "furnace.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
   claims.push_back(furnace_claim<Tracer<All, Roulette>>("furnace.light",
-                                                        {"PathTracer", "DirectLight", "RouletteByReflectance"}));
+                                                        {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
   claims.push_back(two_spheres_claim<Tracer<All, Roulette>>(
       "furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}));
   claims.push_back(two_spheres_claim<Tracer<One, Roulette>>(
@@ -47,7 +47,7 @@ void add_one_light(std::vector<Claim>& claims) {
   const auto cosine_hit = [](const SpheresOverPlane& s, int c) { return s.albedo[c] * s.largest_radiance(c); };
   const auto uniform_hit = [=](const SpheresOverPlane& s, int c) { return 2 * cosine_hit(s, c); };
   claims.push_back(floor_claim<Tracer<All, NoRoulette>>(
-      "sphere_over_plane.light", {"DirectLight", "SphereByArea", "UniformSphereArea"}, one_light(), 1, terms));
+      "sphere_over_plane.light", {"DirectLight", "SphereByArea", "UniformSphereArea"}, one_light(), 2, terms));
   claims.push_back(floor_claim<Tracer<AllVisible, NoRoulette>>(
       "sphere_over_plane.visible", {"DirectLight", "SphereByVisibleHemisphere"}, one_light(), 1, half_terms));
   claims.push_back(floor_claim<Tracer<AllByCone, NoRoulette>>(
