@@ -16,7 +16,7 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 8>;
 constexpr int knots = 256;
-constexpr int pieces = 4;  // of the unit interval in t
+constexpr int pieces = 6;  // of the unit interval in t
 constexpr int order = 3;
 
 // All moments of one place, in the order of test_rosenblatt's channels.

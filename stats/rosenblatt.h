@@ -16,7 +16,7 @@ using SquareDensity = std::function<double(double s, double t)>;
 /// Rosenblatt's transform of a density on the unit square: (s, t) to (P(S <= s), P(T <= t | S = s)), which is
 /// uniform on the square exactly when (s, t) has that density. The marginal and its distribution function are tabulated
 /// at 256 knots, with a cubic between them; in t, eight-point Gauss rules integrate the density. So it should be smooth
-/// but at multiples of 1/256 in s and 1/4 in t. Source: Rosenblatt 1952.
+/// but at multiples of 1/256 in s and 1/6 in t. Source: Rosenblatt 1952.
 class Rosenblatt {
  public:
   /// Throws std::invalid_argument when the density does not integrate to one within 1e-6.

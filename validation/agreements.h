@@ -48,7 +48,7 @@ Claim roulette_on_against_off(const std::string& name) {
           {"RouletteByReflectance", "NoRoulette", "PathTracer"},
           "on the floor of the Cornell box, up to four bounces, roulette on agrees with roulette off, per channel",
           "the paper, 3.2.1",
-          20,
+          30,
           [](const Trial& trial) {
             const View box = built_in_scene("cornell-simple");
             const Vec3<double> eye(50, 52, 150);
