@@ -6,8 +6,9 @@
 
 namespace fairlight {
 
-/// A direction that is not a unit vector is the caller's mistake. What is built about one (a lobe, the normals visible from it) refuses
-/// it with std::invalid_argument; `eval` and `pdf` take it as it is, and give what the formula gives: nothing is normalised.
+/// A direction that is not a unit vector is the caller's mistake, and is not normalised. Where a law is built about it (the lobe of
+/// Glossy, the visible normals of RoughConductor) it is refused with std::invalid_argument; elsewhere the formula is taken as
+/// it stands.
 
 /// Directions at a surface are unit vectors in its local frame, where the normal is +z and the side that is looked at is
 /// z > 0: `out` towards the viewer, `in` towards where the light comes from.

@@ -31,6 +31,8 @@ class PowerChoice {
       total += weights[i];
       if (weights[i] > 0) chosen = i + 1;
     }
+    if (!std::isfinite(total))
+      throw std::invalid_argument("the sum of the weights must be finite (scale them down)");
     while (1 << steps_ < size_) ++steps_;
     upper_.assign(std::size_t{1} << steps_, Number(2));
     lower_.assign(std::size_t{1} << steps_, Number(0));
@@ -157,7 +159,7 @@ class OneBy {
       throw std::invalid_argument("a choice among other alternatives (their numbers differ)");
     using Value = decltype(term(Index<Real>(), source));
     const Pick<Real> pick = choice_.sample(next_pair<Real>(source));
-    if (!any(pick.probability.value() > Real(0))) return zero<Value>();
+    if (!any(pick.probability.value() != Real(0))) return zero<Value>();
     return over_existing(Value(term(pick.index, source)), pick.probability);
   }
 

@@ -83,6 +83,8 @@ class PolygonalAperture {
     if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
       throw std::invalid_argument("an aperture's radius must be positive and finite (a pinhole has none)");
     if (blades < 3) throw std::invalid_argument("an aperture needs three blades or more (or none, and is round)");
+    if (!all(rotation > Real(-infinity<Real>) && rotation < Real(infinity<Real>)))
+      throw std::invalid_argument("an aperture's rotation must be finite (it is an angle)");
     half_sector_ = pi<Real> / rounded<Real>(blades);
     apothem_ = radius * cos(half_sector_);
     half_side_ = radius * sin(half_sector_);

@@ -24,7 +24,7 @@ namespace detail {
 /// 1 / sum over k of r_k^power, with r_k = n_k p_k / (n_i p_i).
 template <int power, class Measure, class Real, std::size_t N>
 Real share(const std::array<Real, N>& n, const std::array<Density<Measure, Real>, N>& p, std::size_t i) {
-  const Mask<Real> exists = p[i].value() > Real(0);
+  const Mask<Real> exists = p[i].value() != Real(0);
   const Real own = select(exists, p[i].value(), Real(1));
   Real sum(1);
   for (std::size_t k = 0; k < N; ++k) {
@@ -67,9 +67,9 @@ struct PowerHeuristic {
 struct MaximumHeuristic {
   template <class Measure, class Real, std::size_t N>
   static Real weight(const std::array<Real, N>& n, const std::array<Density<Measure, Real>, N>& p, std::size_t i) {
-    Mask<Real> largest = p[i].value() > Real(0);
-    for (std::size_t k = 0; k < i; ++k) largest = largest && n[i] * p[i].value() > n[k] * p[k].value();
-    for (std::size_t k = i + 1; k < N; ++k) largest = largest && n[i] * p[i].value() >= n[k] * p[k].value();
+    Mask<Real> largest = p[i].value() != Real(0);
+    for (std::size_t k = 0; k < i; ++k) largest = largest && !(n[i] * p[i].value() <= n[k] * p[k].value());
+    for (std::size_t k = i + 1; k < N; ++k) largest = largest && !(n[i] * p[i].value() < n[k] * p[k].value());
     return select(largest, Real(1), Real(0));
   }
   static double excess(std::size_t laws) { return static_cast<double>(laws); }
@@ -78,7 +78,7 @@ struct MaximumHeuristic {
 /// w_i / (n_i p_i), what f(x) is multiplied by at a draw x of law i; 0 where the draw does not exist.
 template <class Heuristic, class Measure, class Real, std::size_t N>
 Real mis_factor(const std::array<Real, N>& n, const std::array<Density<Measure, Real>, N>& p, std::size_t i) {
-  const Real own = select(p[i].value() > Real(0), p[i].value(), Real(1));
+  const Real own = select(p[i].value() != Real(0), p[i].value(), Real(1));
   return Heuristic::weight(n, p, i) / own / n[i];
 }
 

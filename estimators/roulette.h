@@ -16,12 +16,15 @@ struct Survival {
 };
 
 /// Goes on with probability q, and pays for it with 1/q.
-/// Domain   q in [0,1]; q = 0 never goes on, q = 1 always does
+/// Domain   q in [0,1]; q = 0 never goes on, q = 1 always does. Throws std::invalid_argument elsewhere: survivors of a q above 1
+///          would be paid too little
 /// Random   one number u in [0,1)
 /// Source   Arvo and Kirk 1990; the paper, 3.2.1
 struct RussianRoulette {
   template <class Real>
   static Survival<Real> play(Real q, Real u) {
+    if (!all(q >= Real(0) && q <= Real(1)))
+      throw std::invalid_argument("a path cannot go on with such a probability (it must be in [0,1])");
     return {u < q, Real(1) / q};
   }
 };

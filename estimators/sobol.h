@@ -50,7 +50,7 @@ W reverse_bits(W x) {
 
 /// Owen's nested uniform scrambling of binary digits, by a hash: each digit is flipped or not, as the digits before
 /// it and the seeds say. On reversed bits these are the operations that carry upwards only. `shift` alone makes the
-/// law of a scrambled number uniform, exactly; the rest makes digits of numbers that have parted independent.
+/// law of a scrambled number uniform, exactly; the rest makes digits of numbers that have parted nearly independent.
 /// Source: Owen 1995; Laine and Karras 2011; Burley 2020, "Practical hash-based Owen scrambling", section 3;
 /// constants by Vegdahl 2021, as in PBR 4ed, 8.6.3 (FastOwenScrambler), which takes shift and factor from one word.
 template <class W>

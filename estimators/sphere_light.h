@@ -19,10 +19,10 @@ class UniformSphereArea {
   using Point = Vec3<Real>;
   using Measure = Area;
 
-  /// radius > 0 in m; throws std::invalid_argument otherwise.
+  /// radius > 0 in m, finite; throws std::invalid_argument otherwise.
   explicit UniformSphereArea(Real radius) : radius_(radius) {
-    if (!all(radius > Real(0)))
-      throw std::invalid_argument("a sphere's radius must be positive (its area divides)");
+    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
+      throw std::invalid_argument("a sphere's radius must be positive and finite (its area divides)");
   }
 
   /// The outward unit normal at the point.

@@ -116,12 +116,13 @@ class SphereView {
 template <class Real>
 class SphereLight {
  public:
-  /// Centre and radius [m], radius > 0; throws std::invalid_argument otherwise. `on_surface` says that the points that it
+  /// Centre and radius [m], both finite, radius > 0; throws std::invalid_argument otherwise. `on_surface` says that the points that it
   /// lights are on the sphere itself, which rounding would put to either side of it.
   SphereLight(const Vec3<Real>& centre, Real radius, const Mask<Real>& on_surface = Mask<Real>(false))
       : centre_(centre), radius_(radius), on_surface_(on_surface) {
-    if (!all(radius > Real(0)))
-      throw std::invalid_argument("a sphere's radius must be positive (its area divides)");
+    if (!all(radius > Real(0) && radius < Real(infinity<Real>)) || !all_finite(centre))
+      throw std::invalid_argument(
+          "a sphere's radius must be positive and finite, and so its centre (its area divides)");
   }
 
   Real radius() const { return radius_; }

@@ -36,6 +36,14 @@ Value zero() {
   }
 }
 
+/// Whether no component of any lane is infinite or not a number.
+template <class Real>
+bool all_finite(const Vec3<Real>& v) {
+  using std::abs;
+  const Real infinite(infinity<Real>);
+  return all(Real(abs(v.x())) < infinite && Real(abs(v.y())) < infinite && Real(abs(v.z())) < infinite);
+}
+
 /// Throws std::invalid_argument unless `v`, called `what`, is a unit vector but for rounding.
 template <class Real>
 void require_unit(const Vec3<Real>& v, const char* what) {

@@ -34,8 +34,8 @@ Finding test_indexed(const Trial& trial, const Reference& reference,
 
 }  // namespace
 
-Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator) {
-  const Reference reference{variance, 0, range_variance(estimator)};
+Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator, Sides sides) {
+  const Reference reference{variance, 0, range_variance(estimator), 0, variance, sides};
   return test_indexed(trial, reference, [&](std::uint64_t i) { return pair_variance(estimator, i); });
 }
 

@@ -16,9 +16,10 @@ struct BoundedEstimator {
   double lower, upper;
 };
 
-/// The variance is `variance` > 0, to within the margin relative to it. Takes two draws for each draw of the
-/// finding.
-Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator);
+/// The variance is `variance` > 0 (or at most, or at least that), to within the margin relative to it. Takes two draws for
+/// each draw of the finding.
+Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator,
+                      Sides sides = Sides::both);
 
 /// Var A <= ratio Var B. Biased when it is larger; certified when Var A < (1 + margin) ratio Var B. With ratio < 1
 /// this shows by how much A is better. A discarded pilot sets the scale of the margin, ratio Var B; the level does

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -99,6 +100,7 @@ inline std::uint32_t points_for(const std::vector<Reference>& references) {
 /// The mean of an estimator over the points of one replicate of a set.
 template <PointSet Set, class Draw>
 auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
+  if (replicate >> 32 != 0) throw std::length_error("replicates have run out (there are 2^32 of one key)");
   const Set set(key, static_cast<std::uint32_t>(replicate), n);
   auto source = set.source(0);
   auto total = draw(source);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/house.h>
+#include <support/temporary_folder.h>
 
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/faults/catalogue.h>
@@ -41,6 +42,20 @@ TEST(ThePage, AddsAFaultThatIsCaught) {
       EXPECT_EQ(run(claim, seed).verdict, Verdict::biased) << claim.name << " seed " << seed_text(seed);
     }
   }
+}
+
+// The lines after which the page puts its own are where it says.
+TEST(ThePage, KnowsWhereItsLinesGo) {
+  const auto holds = [](const std::string& file, const std::string& line) {
+    const std::string page = testing::read_file(FAIRLIGHT_SOURCE_DIR "/docs/adding_an_estimator.md");
+    const std::string source = testing::read_file(FAIRLIGHT_SOURCE_DIR "/" + file);
+    return page.find("`" + file + "`") != std::string::npos && page.find("`" + line + "`") != std::string::npos &&
+           source.find(line) != std::string::npos;
+  };
+  EXPECT_TRUE(holds("validation/claims/claims.h", "void add_direction_claims(std::vector<Claim>& claims);"));
+  EXPECT_TRUE(holds("validation/registry.cpp", "add_direction_claims,"));
+  EXPECT_TRUE(holds("validation/faults/catalogue.h", "std::vector<Fault> direction_faults();"));
+  EXPECT_TRUE(holds("validation/faults/catalogue.cpp", "direction_faults,"));
 }
 
 TEST(ThePage, LeavesNoPaperMissing) {

@@ -20,7 +20,7 @@ Vec2<double> two_dimensions(const StreamKey& key, std::uint64_t i, Dimensions wh
   const auto first = set.pair(points, k);
   if (which == Dimensions::of_one_pair) return {detail::lane_of(first[0], lane), detail::lane_of(first[1], lane)};
   const auto second = set.pair(points, k + 1 + static_cast<std::uint32_t>(i % 5));
-  return {detail::lane_of(first[i % 2], lane), detail::lane_of(second[i / 2 % 2], lane)};
+  return {detail::lane_of(first[i / set.size() % 2], lane), detail::lane_of(second[i / set.size() / 2 % 2], lane)};
 }
 
 /// A point of a set is uniform: its pairs of dimensions are on the square, by chi-square.
@@ -77,7 +77,7 @@ Claim replicates_uncorrelated_claim(const PointSetKind<Set>& kind) {
               const auto number = [&](std::uint64_t replicate) {
                 const Set<double> set(key, static_cast<std::uint32_t>(replicate), points_a_replicate);
                 const auto point = static_cast<std::uint32_t>(i % set.size());
-                return set.pair(point, static_cast<std::uint32_t>(i % 37))[i % 2];
+                return set.pair(point, static_cast<std::uint32_t>(i % 37))[i / set.size() % 2];
               };
               return std::pair(number(2 * i), number(2 * i + 1));
             });
@@ -106,15 +106,16 @@ Claim three_points_claim(const PointSetKind<Set>& kind) {
           }};
 }
 
-/// The mean of x0 over points of which each width-th of the axis has the same number, uniform and independent
-/// within: the variance is that of a number in its stratum, 1 / (12 width^2), over n.
+/// The mean of x0 over points of which each width-th of the axis has the same number, uniform and independent within: the
+/// variance is that of a number in its stratum, 1 / (12 width^2), over n. A hash scrambles nearly so: 1 % is left to it.
 template <template <class> class Set>
 Claim stratified_variance_claim(const PointSetKind<Set>& kind, std::uint32_t n, std::uint32_t width) {
   return {.name = kind.suffix + ".variance",
           .kind = "second order",
           .subjects = {kind.subject, "PointSource"},
-          .statement = "the mean of x0 over " + std::to_string(n) + " points has the variance 1 / (12 x " +
-                       std::to_string(width) + "^2 x " + std::to_string(n) + ")",
+          .statement = "the mean of x0 over " + std::to_string(n) +
+                       " points has at most 1.01 times the variance 1 / (12 x " + std::to_string(width) + "^2 x " +
+                       std::to_string(n) + ")",
           .source = "Owen 1997, \"Monte Carlo variance of scrambled net quadrature\"; elementary",
           .margin_factor = 20,
           .check = [n, width](const Trial& trial) {
@@ -123,7 +124,8 @@ Claim stratified_variance_claim(const PointSetKind<Set>& kind, std::uint32_t n, 
               return replicate_mean<Set<double>>(key, replicate, n, [](auto& source) { return source.next(); });
             };
             const double reach = 0.5 / width + n * ulp<double>;
-            return test_variance(trial, 1 / (12.0 * width * width * n), {mean, 0.5 - reach, 0.5 + reach});
+            return test_variance(trial, 1.01 / (12.0 * width * width * n), {mean, 0.5 - reach, 0.5 + reach},
+                                 Sides::not_above);
           }};
 }
 
