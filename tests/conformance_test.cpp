@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -22,6 +23,12 @@ TEST(Conformance, EveryClaimIsCertified) {
   const auto outcomes = run_claims(select_claims({}), conformance);
   print_outcomes(stdout, outcomes, conformance);
   EXPECT_EQ(overall(outcomes), Verdict::certified);
+  const auto resting_on = [&](Guarantee guarantee) {
+    return std::ranges::count_if(outcomes, [=](const Outcome& o) { return o.finding.guarantee == guarantee; });
+  };
+  const auto exact = resting_on(Guarantee::exact);
+  EXPECT_GE(exact, 9 * resting_on(Guarantee::asymptotic))
+      << "at least nine tenths of the statistical claims are exact";
 }
 
 }  // namespace

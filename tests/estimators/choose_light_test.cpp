@@ -142,5 +142,18 @@ TEST(OneBy, RefusesAnotherNumberOfTerms) {
   EXPECT_THROW(OneBy(by_power).sum<double>(5, source, term), std::invalid_argument);
 }
 
+TEST(PowerChoice, RefusesWeightsWhoseSumIsNotFinite) {
+  EXPECT_THROW(PowerChoice<double>({1e308, 1e308}), std::invalid_argument);
+}
+
+// A density that is negative or not a number is not one that does not exist.
+TEST(OverExisting, GivesNothingForADensityOfZeroAndHidesNoOther) {
+  using P = Density<Area, double>;
+  EXPECT_EQ(over_existing(3.0, P(0)), 0);
+  EXPECT_EQ(over_existing(3.0, P(2)), 1.5);
+  EXPECT_EQ(over_existing(3.0, P(-2)), -1.5);
+  EXPECT_TRUE(std::isnan(over_existing(3.0, P(std::nan("")))));
+}
+
 }  // namespace
 }  // namespace fairlight

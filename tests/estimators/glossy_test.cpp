@@ -114,5 +114,9 @@ TEST(Glossy, RefusesAnAlbedoOrAnExponentThatIsNone) {
   EXPECT_THROW((Glossy<double, CosineHemisphere>(albedo, -1)), std::invalid_argument);
 }
 
+TEST(Glossy, RefusesAnOutgoingDirectionThatIsNoUnitVector) {
+  EXPECT_THROW(Glossy<double>(Rgb<double>::Ones(), 5).pdf({0, 0, 2}, {0, 0, 1}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

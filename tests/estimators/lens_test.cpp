@@ -187,5 +187,10 @@ TEST(ThinLens, RefusesAFocusThatIsNotInFront) {
   EXPECT_THROW(ThinLens(std::nan(""), aperture), std::invalid_argument);
 }
 
+TEST(PolygonalAperture, RefusesARotationThatIsNoAngle) {
+  EXPECT_THROW(PolygonalAperture<double>(1, 6, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(PolygonalAperture<double>(1, 6, infinity<double>), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -232,5 +232,15 @@ TEST(OneSampleMis, ChoosesLaneByLane) {
   expect_lanes_like_double<MaximumHeuristic>();
 }
 
+TEST(MisFactor, HidesNoDensityThatIsNotANumber) {
+  using P = Density<Area, double>;
+  const std::array<double, 2> n{1, 1};
+  const std::array<P, 2> p{P(std::nan("")), P(1)};
+  EXPECT_TRUE(std::isnan(mis_factor<BalanceHeuristic>(n, p, 0)));
+  EXPECT_TRUE(std::isnan(mis_factor<PowerHeuristic>(n, p, 0)));
+  EXPECT_TRUE(std::isnan(mis_factor<MaximumHeuristic>(n, p, 0)));
+  EXPECT_TRUE(std::isnan(mis_factor<BalanceHeuristic>(n, p, 1)));
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -175,5 +175,10 @@ TEST(RectangleLight, IsInItsDomainAtTheEdgesInPackets) {
   }
 }
 
+TEST(RectangleLight, RefusesWhatIsNotFinite) {
+  EXPECT_THROW(RectangleLight<double>({0, std::nan(""), 0}, {1, 0, 0}, {0, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(RectangleLight<double>({0, 0, 0}, {infinity<double>, 0, 0}, {0, 1, 0}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

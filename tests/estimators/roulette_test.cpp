@@ -107,5 +107,16 @@ TEST(RouletteByThroughput, PlaysLaneByLane) {
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], 2 * i < values.size() ? 2 : 0) << i;
 }
 
+TEST(RussianRoulette, RefusesWhatIsNoProbability) {
+  for (double q : {-0.5, 1.5, std::nan("")}) {
+    EXPECT_THROW(RussianRoulette::play<double>(q, 0.5), std::invalid_argument) << q;
+    std::array<float, lanes<Packet>> lane{};
+    lane.back() = static_cast<float>(q);
+    EXPECT_THROW(RussianRoulette::play<Packet>(Packet::load_unaligned(lane.data()), Packet(0.5f)),
+                 std::invalid_argument)
+        << q;
+  }
+}
+
 }  // namespace
 }  // namespace fairlight

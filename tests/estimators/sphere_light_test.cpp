@@ -50,5 +50,11 @@ TEST(UniformSphereArea, RefusesARadiusThatIsNotPositive) {
   EXPECT_THROW(UniformSphereArea<double>(std::nan("")), std::invalid_argument);
 }
 
+TEST(UniformSphereArea, RefusesARadiusThatIsNotFinite) {
+  EXPECT_THROW(UniformSphereArea<double>(infinity<double>), std::invalid_argument);
+  EXPECT_THROW(UniformSphereArea<Packet>(Packet(infinity<float>)), std::invalid_argument);
+  EXPECT_THROW(UniformSphereArea<double>(std::nan("")), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

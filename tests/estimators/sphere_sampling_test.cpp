@@ -195,5 +195,11 @@ TEST(SphereSampling, IsInItsDomainAtTheEdgesInPackets) {
   }
 }
 
+TEST(SphereLight, RefusesWhatIsNotFinite) {
+  EXPECT_THROW(SphereLight<double>({0, 0, 0}, infinity<double>), std::invalid_argument);
+  EXPECT_THROW(SphereLight<double>({0, std::nan(""), 0}, 1), std::invalid_argument);
+  EXPECT_THROW(SphereLight<double>({-infinity<double>, 0, 0}, 1), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

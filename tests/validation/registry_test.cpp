@@ -44,5 +44,17 @@ TEST(SelectClaims, NamesTheClaimsThatExistWhenNoneMatches) {
   }
 }
 
+TEST(Registry, HoldsEverySamplerInBothArithmetics) {
+  std::set<std::string> in_double;
+  std::set<std::string> in_packets;
+  for (const Claim& claim : registry()) {
+    if (claim.kind == "law" && claim.real == "double")
+      in_double.insert(claim.subjects.begin(), claim.subjects.end());
+    if (claim.real == "packet") in_packets.insert(claim.subjects.begin(), claim.subjects.end());
+  }
+  EXPECT_GE(in_double.size(), 15u);
+  for (const std::string& sampler : in_double) EXPECT_TRUE(in_packets.contains(sampler)) << sampler;
+}
+
 }  // namespace
 }  // namespace fairlight
