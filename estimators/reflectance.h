@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include <fairlight/estimators/fresnel.h>
 #include <fairlight/estimators/vec.h>
 
 namespace fairlight {
@@ -49,6 +50,24 @@ class SchlickReflectance {
 
  private:
   Rgb<Real> at_normal_;
+};
+
+/// Fresnel's equations for a conductor of index eta + i k. Source: fresnel.h.
+template <class Real>
+class FresnelReflectance {
+ public:
+  /// Throws std::invalid_argument unless eta is positive and k not negative, both finite.
+  FresnelReflectance(const Rgb<Real>& eta, const Rgb<Real>& k) : eta_(eta), k_(k) {
+    const Real infinite(infinity<Real>);
+    for (int c = 0; c < 3; ++c) {
+      if (!all(eta[c] > Real(0) && eta[c] < infinite && k[c] >= Real(0) && k[c] < infinite))
+        throw std::invalid_argument("a conductor's eta must be positive, and its k not negative, both finite");
+    }
+  }
+  Rgb<Real> operator()(Real cosine) const { return fresnel_conductor(cosine, eta_, k_); }
+
+ private:
+  Rgb<Real> eta_, k_;
 };
 
 }  // namespace fairlight

@@ -64,9 +64,9 @@ inline const PointSetKind<Stratified> stratified_points{"stratified", "Stratifie
 inline const PointSetKind<LatinHypercube> latin_points{"latin", "LatinHypercube"};
 
 /// The row for the mean of an experiment from the points of a set, by replicates. Its margin is twice that from
-/// independent numbers, which costs a quarter: what a set can do wrong, it does grossly.
+/// independent numbers, or as said: what a set can do wrong, it does grossly.
 template <template <class> class Set, class Draw>
-Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& points) {
+Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& points, double margin_factor = 2) {
   std::vector<std::string> subjects = e.subjects;
   subjects.insert(subjects.end(), {points.subject, "PointSource"});
   return {.name = e.name + "." + points.suffix,
@@ -74,7 +74,7 @@ Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& point
           .subjects = subjects,
           .statement = e.statement + ", over the points of a replicate",
           .source = e.source,
-          .margin_factor = 2 * e.margin_factor,
+          .margin_factor = margin_factor * e.margin_factor,
           .check = [e](const Trial& trial) {
             return check_replicates<Set<double>>(
                 trial, e.references, [&](auto& source) { return e.draw(std::type_identity<double>{}, source); },

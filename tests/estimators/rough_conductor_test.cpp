@@ -32,6 +32,16 @@ TEST(ConstantReflectance, RefusesWhatNoSurfaceReflects) {
   EXPECT_THROW(SchlickReflectance<double>({std::nan(""), 0.5, 0.5}), std::invalid_argument);
 }
 
+TEST(FresnelReflectance, IsThatOfASmoothConductor) {
+  const Rgb<double> eta(0.2, 0.9, 1.5), k(3.9, 2.5, 1.9);
+  const FresnelReflectance<double> reflectance(eta, k);
+  EXPECT_TRUE((reflectance(0.5) == fresnel_conductor(0.5, eta, k)).all());
+  // At normal incidence ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2).
+  EXPECT_NEAR(reflectance(1)[0], (0.64 + 15.21) / (1.44 + 15.21), 1e-14);
+  EXPECT_THROW(FresnelReflectance<double>(eta, -k), std::invalid_argument);
+  EXPECT_THROW(FresnelReflectance<double>(eta * 0, k), std::invalid_argument);
+}
+
 TEST(SchlickReflectance, RisesFromNormalToWhite) {
   const SchlickReflectance<double> reflectance(gold);
   EXPECT_TRUE(reflectance(1).isApprox(gold, 1e-15));

@@ -91,7 +91,10 @@ Claim unbiased_allocation(const std::string& name, std::vector<std::string> subj
   return {.name = name,
           .kind = "mean",
           .subjects = std::move(subjects),
-          .statement = "every one of eight spiky pixels, and their image, has its mean over whole adaptive images",
+          .statement =
+              "every one of eight pixels, of which 95 % is a steady ground and the rest spikes, and their image, "
+              "has its mean over "
+              "whole adaptive images",
           .source = source,
           .margin_factor = 1,
           .check = [form](const Trial& trial) { return check_pixels(trial, unequal_spikes(), form); }};

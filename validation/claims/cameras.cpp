@@ -1,6 +1,7 @@
 #include <fairlight/estimators/blackman_harris_filter.h>
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/validation/analytic/filters.h>
 #include <fairlight/validation/analytic/lens.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/laws.h>
@@ -40,9 +41,24 @@ void add_lenses(std::vector<Claim>& claims) {
   claims.push_back(focus_claim<Packet, ThinLens>());
 }
 
+void add_filter_moments(std::vector<Claim>& claims) {
+  add_mean(claims, filter_moment("filter.box", "BoxFilter", 0.75 * 0.75 / 3, 0.75,
+                                 []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.75)); }));
+  add_mean(claims, filter_moment("filter.tent", "TentFilter", 1.0 / 6, 1,
+                                 []<class Real>(std::type_identity<Real>) { return TentFilter<Real>(); }));
+  add_mean(claims, filter_moment("filter.gaussian", "GaussianFilter", cut_gaussian_moment(0.5, 1), 1,
+                                 []<class Real>(std::type_identity<Real>) {
+                                   return GaussianFilter<Real>(Real(0.5), Real(1));
+                                 }));
+  add_mean(claims, filter_moment(
+                       "filter.blackman_harris", "BlackmanHarrisFilter", blackman_harris_moment(1.5), 1.5,
+                       []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); }));
+}
+
 }  // namespace
 
 void add_camera_claims(std::vector<Claim>& claims) {
+  add_filter_moments(claims);
   add_filters(claims);
   add_apertures(claims);
   add_lenses(claims);

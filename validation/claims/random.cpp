@@ -21,7 +21,11 @@ void add_random_claims(std::vector<Claim>& claims) {
   add_law(claims, LawExperiment{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
                                 []<class Real>(std::type_identity<Real>) { return StreamPairs<Real>{}; },
                                 SquareDomain{0, 1}});
-  add_mean(claims, product_integral());
+  claims.push_back(mean_claim<double>(product_integral()));
+  claims.push_back(mean_claim<Packet>(product_integral()));
+  claims.push_back(replicates_claim(product_integral(), sobol_points, 1));
+  claims.push_back(replicates_claim(product_integral(), stratified_points, 1));
+  claims.push_back(replicates_claim(product_integral(), latin_points, 1));
   add_point_set(claims, sobol_points);
   add_point_set(claims, stratified_points);
   add_point_set(claims, latin_points);
