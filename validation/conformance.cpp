@@ -7,21 +7,22 @@
 
 namespace fairlight {
 
-Trial trial_of(const std::string& claim, const Conformance& conformance) {
+Manifest manifest_of(const Conformance& conformance) {
   std::vector<Manifest::Row> rows;
   for (const Claim& c : registry()) rows.push_back({c.name, c.weight, c.margin_factor});
-  return Manifest(rows, conformance.terms).trial(claim);
+  return Manifest(rows, conformance.terms);
 }
 
 std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const Conformance& conformance,
                                 const Progress& progress) {
+  const Manifest manifest = manifest_of(conformance);
   std::vector<Outcome> outcomes(claims.size());
   std::mutex mutex;
   std::size_t done = 0;
   for_each_unit(static_cast<int>(claims.size()), conformance.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
     const auto start = std::chrono::steady_clock::now();
-    const Finding finding = claims[i]->check(trial_of(claims[i]->name, conformance));
+    const Finding finding = claims[i]->check(manifest.trial(claims[i]->name));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     outcomes[i] = {claims[i], finding, seconds};
     const std::lock_guard lock(mutex);

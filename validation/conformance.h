@@ -21,9 +21,10 @@ struct Outcome {
   double seconds;
 };
 
-/// The trial of a row of the registry: its share of the budget is the same whatever else runs.
-/// Throws as Manifest does: for a name that is not in the registry, or a margin or budget outside (0,1).
-Trial trial_of(const std::string& claim, const Conformance& conformance);
+/// The whole registry on the terms of a run: a claim's share of the budget is the same whatever else runs.
+/// Throws as Manifest does: for a budget outside (0,1) here; for a name that is not in the registry, or a margin outside
+/// (0,1), when a trial is asked for.
+Manifest manifest_of(const Conformance& conformance);
 
 /// Runs the claims, each on one thread, and returns their outcomes in the same order. The findings are functions of
 /// the seed alone.

@@ -16,14 +16,15 @@ std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds
   }
   const auto per_cell = static_cast<std::size_t>(seeds);
   std::vector<Finding> findings(cells.size() * per_cell);
+  const Manifest manifest = manifest_of(conformance);
   std::mutex mutex;
   std::size_t done = 0;
   for_each_unit(static_cast<int>(findings.size()), conformance.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
-    Conformance run = conformance;
-    run.terms.seed += i % per_cell;
     const Claim& claim = *cells[i / per_cell].claim;
-    findings[i] = claim.check(trial_of(claim.name, run));
+    Trial trial = manifest.trial(claim.name);
+    trial.seed += i % per_cell;
+    findings[i] = claim.check(trial);
     const std::lock_guard lock(mutex);
     if (progress) progress(static_cast<double>(++done) / static_cast<double>(findings.size()));
   });
