@@ -81,4 +81,21 @@ auto lobe_integral(const std::string& name, double exponent) {
       draw};
 }
 
+/// The integral of z^2 over all directions, 4 pi / 3; a draw is 4 pi z^2.
+template <template <class> class Directions>
+auto sphere_integral() {
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Importance estimator(Directions<Real>{}, [](const Vec3<Real>& w) { return Real(w.z() * w.z()); });
+    return estimator.estimate(source);
+  };
+  constexpr double whole = 4 * std::numbers::pi;
+  return Experiment{"importance.sphere.height_squared",
+                    {"Importance", "UniformSphere"},
+                    "the integral of z^2 over all directions is 4 pi / 3",
+                    "elementary",
+                    1,
+                    {{whole / 3, 0, whole * (1 + 1e-12)}},
+                    draw};
+}
+
 }  // namespace fairlight

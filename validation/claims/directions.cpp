@@ -24,6 +24,7 @@ void add_cones_and_lobes(std::vector<Claim>& claims) {
   add_law(claims, LawExperiment{"sphere.uniform", "UniformSphere", "Archimedes",
                                 []<class Real>(std::type_identity<Real>) { return UniformSphere<Real>{}; },
                                 SphereDomain{1}});
+  add_mean(claims, sphere_integral<UniformSphere>());
   add_law(claims, cone_law<UniformCone>());
   add_mean(claims, cone_integral<UniformCone>("importance.cone", 0.75));
   add_mean(claims, cone_integral<UniformCone>("importance.cone.narrow", 1e-16));
