@@ -168,7 +168,7 @@ TEST(Program, ReportsARenderAsJson) {
 TEST(Program, VerifiesAndReplays) {
   const TemporaryFolder folder;
   EXPECT_NE(fairlight("verify --list", folder).out.find("hemisphere.cosine.law"), std::string::npos);
-  ASSERT_EQ(fairlight("verify pick importance --margin 0.05 --json a.json", folder).status, 0);
+  ASSERT_EQ(fairlight("verify pick.all.dice importance.cosine --margin 0.05 --json a.json", folder).status, 0);
   const auto first = nlohmann::json::parse(read_file(folder / "a.json"));
   for (const auto& claim : first["claims"]) {
     const std::string replay = claim["replay"].get<std::string>().substr(std::string("fairlight ").size());
