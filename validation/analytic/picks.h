@@ -30,9 +30,9 @@ struct ManyLights {
   double largest_by_power() const {
     double largest = 0;
     for (std::size_t i = 0; i < terms.size(); ++i) {
-      if (powers[i] > 0) largest = std::max(largest, terms[i] / powers[i] * power());
+      if (powers[i] > 0) largest = std::max(largest, terms[i] / powers[i]);
     }
-    return largest;
+    return largest * power();
   }
 };
 
