@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -54,6 +57,36 @@ Quantised quantise(double x) {
   return {static_cast<std::uint64_t>(std::nearbyint(std::ldexp(x, -unit_exponent))), 0};
 }
 
+[[noreturn]] void refuse(double x) {
+  throw std::domain_error("a draw is " + std::to_string(x) + " (it must be a number in [0, 2^64))");
+}
+
+[[noreturn]] void refuse_sum() {
+  throw std::overflow_error("the sum of the draws exceeds 2^96 (merge fewer, or scale the scene down)");
+}
+
+// A float is significand * 2^(exponent - 150), its significand below 2^24. Those of one exponent are summed as whole numbers, which
+// 2^16 squares cannot overflow.
+struct FloatsByExponent {
+  static constexpr std::size_t most = 1 << 16;
+  static constexpr std::uint32_t beyond = (127 + 64) << 23;  // the bits of 2^64; those of negative numbers are more
+  static constexpr std::uint32_t whole =
+      150 + unit_exponent;  // from this exponent on all are multiples of the unit
+
+  struct Sums {
+    std::uint64_t significands, squares;
+  };
+  static constexpr std::size_t exponents = beyond >> 23;
+  std::array<Sums, exponents> sums{};
+
+  void add(std::uint32_t bits) {
+    const std::uint64_t significand = (bits & 0x7FFFFF) | 0x800000;
+    Sums& of_exponent = sums[bits >> 23];
+    of_exponent.significands += significand;
+    of_exponent.squares += significand * significand;
+  }
+};
+
 cpp_int integer(std::span<const std::uint64_t> words) {
   cpp_int value;
   import_bits(value, words.begin(), words.end(), 64, false);
@@ -63,16 +96,48 @@ cpp_int integer(std::span<const std::uint64_t> words) {
 }  // namespace
 
 void ExactMoments::add(double x) {
-  if (!(x >= 0 && x < 0x1p64)) {
-    throw std::domain_error("a draw is " + std::to_string(x) + " (it must be a number in [0, 2^64))");
-  }
+  if (!(x >= 0 && x < 0x1p64)) refuse(x);
   ++words_[0];
   if (x == 0) return;
   const auto [significand, exponent] = quantise(x);
   const std::span<std::uint64_t> all(words_);
   const bool over = add_shifted(all.subspan(sum_begin, 3), significand, exponent) ||
                     add_shifted(all.subspan(squares_begin, 6), Uint128{significand} * significand, 2 * exponent);
-  if (over) throw std::overflow_error("the sum of the draws exceeds 2^96 (merge fewer, or scale the scene down)");
+  if (over) refuse_sum();
+}
+
+void ExactMoments::add(std::span<const double> draws) {
+  for (double x : draws) {
+    if (!(x >= 0 && x < 0x1p64)) refuse(x);
+  }
+  for (double x : draws) add(x);
+}
+
+void ExactMoments::add(std::span<const float> draws) {
+  for (float x : draws) {
+    if (!(x >= 0 && x < 0x1p64f)) refuse(static_cast<double>(x));
+  }
+  bool over = false;
+  for (; !draws.empty(); draws = draws.subspan(std::min(draws.size(), FloatsByExponent::most))) {
+    FloatsByExponent bins;
+    for (float x : draws.first(std::min(draws.size(), FloatsByExponent::most))) {
+      const auto bits = std::bit_cast<std::uint32_t>(x);
+      if (bits >> 23 < FloatsByExponent::whole || x == 0) {
+        add(static_cast<double>(x));
+      } else {
+        bins.add(bits);
+        ++words_[0];
+      }
+    }
+    const std::span<std::uint64_t> all(words_);
+    for (std::size_t e = FloatsByExponent::whole; e < bins.sums.size(); ++e) {
+      if (bins.sums[e].squares == 0) continue;
+      const int shift = static_cast<int>(e - FloatsByExponent::whole);
+      over = add_shifted(all.subspan(sum_begin, 3), bins.sums[e].significands, shift) || over;
+      over = add_shifted(all.subspan(squares_begin, 6), bins.sums[e].squares, 2 * shift) || over;
+    }
+  }
+  if (over) refuse_sum();
 }
 
 void ExactMoments::merge(ExactMoments other) {  // by value: merging with itself doubles
@@ -84,7 +149,7 @@ void ExactMoments::merge(ExactMoments other) {  // by value: merging with itself
   };
   merge_words(sum_begin, 3);
   merge_words(squares_begin, 6);
-  if (over) throw std::overflow_error("the sum of the draws exceeds 2^96 (merge fewer, or scale the scene down)");
+  if (over) refuse_sum();
 }
 
 double ExactMoments::mean() const {

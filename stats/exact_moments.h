@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace fairlight {
 
@@ -25,6 +26,10 @@ class ExactMoments {
   /// Throws std::domain_error when x is negative, not a number, or 2^64 and more; the state is then unchanged.
   /// Throws std::overflow_error when the sum reaches 2^96.
   void add(double x);
+
+  /// As if each of the draws were added alone, in a few cycles each. Throws as they would; nothing is then added.
+  void add(std::span<const float> draws);
+  void add(std::span<const double> draws);
 
   /// Throws std::overflow_error when the sum reaches 2^96.
   void merge(ExactMoments other);

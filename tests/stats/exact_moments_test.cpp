@@ -103,5 +103,35 @@ RC_GTEST_PROP(ExactMoments, AgreeWithIntegerArithmetic, ()) {
             static_cast<double>(n * squares - sum * sum) / (static_cast<double>(n) * static_cast<double>(n - 1)));
 }
 
+RC_GTEST_PROP(ExactMoments, OfManyFloatsAreThoseOfEachAlone, ()) {
+  const auto floats = *rc::gen::container<std::vector<float>>(
+      rc::gen::map(rc::gen::pair(rc::gen::inRange(0, 1 << 24), rc::gen::inRange(-149, 40)),
+                   [](const std::pair<int, int>& x) { return std::ldexp(static_cast<float>(x.first), x.second); }));
+  ExactMoments one_by_one, together;
+  for (float x : floats) one_by_one.add(static_cast<double>(x));
+  together.add(std::span<const float>(floats));
+  RC_ASSERT(together == one_by_one);
+}
+
+TEST(ExactMoments, OfMoreFloatsThanASumOfSquaresHoldsAtOnce) {
+  const std::vector<float> floats(200'000, std::nextafter(2.0F, 0.0F));
+  ExactMoments one_by_one, together;
+  for (float x : floats) one_by_one.add(static_cast<double>(x));
+  together.add(std::span<const float>(floats));
+  EXPECT_EQ(together, one_by_one);
+}
+
+TEST(ExactMoments, OfFloatsAreUnchangedWhenOneIsRefused) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const float bad : {-1.0F, 0x1p64F, nan}) {
+    ExactMoments moments;
+    const std::vector<float> floats{1, bad};
+    EXPECT_THROW(moments.add(std::span<const float>(floats)), std::domain_error);
+    const std::vector<double> doubles{1, static_cast<double>(bad)};
+    EXPECT_THROW(moments.add(std::span<const double>(doubles)), std::domain_error);
+    EXPECT_EQ(moments, ExactMoments());
+  }
+}
+
 }  // namespace
 }  // namespace fairlight
