@@ -53,8 +53,14 @@ class StreamKey {
 
 /// A UniformSource: the numbers of one sample, in [0,1), one dimension after the other. A number is a function of
 /// (key, unit, sample, dimension) and of nothing else; a unit is a pixel, a chain or a block of draws.
+/// A path that is followed vertex by vertex has, at each, dimensions of its own: a sample's upper word counts the vertices.
 template <class Real>
 class PhiloxStream;
+
+/// The number of the sample that serves vertex v of path i < 2^32 of a unit.
+constexpr std::uint64_t vertex_sample(std::uint32_t path, std::uint32_t vertex) {
+  return std::uint64_t{vertex} << 32 | path;
+}
 
 template <>
 class PhiloxStream<double> {
@@ -83,38 +89,47 @@ class PhiloxStream<double> {
   std::size_t left_ = 0;
 };
 
-/// The same for packets: the lanes are consecutive samples, and a number is a multiple of 2^-24. What a lane gets does
-/// not depend on how many lanes there are.
+/// The same for packets: a lane is a sample, and a number a multiple of 2^-24, so a block of 128 bits holds five. What a lane
+/// gets does not depend on how many lanes there are.
 template <class A>
 class PhiloxStream<xsimd::batch<float, A>> {
  public:
   using Real = xsimd::batch<float, A>;
+  using Word = xsimd::batch<std::uint32_t, A>;
 
   /// Of the samples `first`, `first` + 1, ..., one a lane.
   PhiloxStream(const StreamKey& key, std::uint32_t unit, std::uint64_t first)
-      : key_{Word(key.words()[0]), Word(key.words()[1])},
-        counter_{Word(0u), Word(static_cast<std::uint32_t>(first)) + lane_numbers<A>(),
-                 Word(static_cast<std::uint32_t>(first >> 32)), Word(unit)} {
+      : PhiloxStream(key, Word(unit), Word(static_cast<std::uint32_t>(first)) + lane_numbers<A>(),
+                     Word(static_cast<std::uint32_t>(first >> 32))) {
     counter_[2] += select(counter_[1] < lane_numbers<A>(), Word(1u), Word(0u));  // where the low word has wrapped
   }
 
-  /// The next dimension.
+  /// Of any unit and any sample, by its lower and its upper word, in every lane.
+  PhiloxStream(const StreamKey& key, const Word& unit, const Word& lower, const Word& upper)
+      : key_{Word(key.words()[0]), Word(key.words()[1])}, counter_{Word(0u), lower, upper, unit} {}
+
+  /// The next dimension: the upper 24 bits of a word, or the lower 8 of three.
   Real next() {
-    if (left_ == 0) {
+    if (used_ == 5) {
       block_ = Philox<Word>::draw(counter_, key_);
       counter_[0] += Word(1u);
-      left_ = 4;
+      used_ = 0;
     }
-    --left_;
-    return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(block_[left_] >> 8)) * 0x1p-24f;
+    const std::size_t number = used_++;
+    if (number < 4) return unit_number(block_[number] >> 8);
+    const Word low(0xFFu);
+    return unit_number(((block_[0] & low) << 16) | ((block_[1] & low) << 8) | (block_[2] & low));
   }
 
  private:
-  using Word = xsimd::batch<std::uint32_t, A>;
+  static Real unit_number(const Word& digits) {
+    return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(digits)) * 0x1p-24f;
+  }
+
   typename Philox<Word>::Key key_;
   typename Philox<Word>::Counter counter_;
   typename Philox<Word>::Counter block_{};
-  std::size_t left_ = 0;
+  std::size_t used_ = 5;
 };
 
 }  // namespace fairlight

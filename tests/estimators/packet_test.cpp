@@ -49,23 +49,44 @@ RC_GTEST_PROP(Packet, MultipliesWordsAsWideNumbersDo, ()) {
   }
 }
 
-// Lane i is sample first + i, whatever the width: its numbers are the words of its own Philox block, 24 bits each.
+// The five numbers of a Philox block: the upper 24 bits of its words, and the lower 8 of the first three.
+std::array<double, 5> numbers_of(const Philox<std::uint32_t>::Counter& words) {
+  std::array<double, 5> numbers{};
+  for (std::size_t k = 0; k < 4; ++k) numbers[k] = (words[k] >> 8) * 0x1p-24;
+  numbers[4] = ((words[0] & 255) << 16 | (words[1] & 255) << 8 | (words[2] & 255)) * 0x1p-24;
+  return numbers;
+}
+
+void expect_sample(const std::array<std::array<double, lanes<Packet>>, 7>& drawn, std::size_t lane,
+                   const StreamKey& key, std::uint32_t unit, std::uint64_t sample) {
+  for (std::uint32_t k = 0; k < drawn.size(); ++k) {
+    const auto block = Philox<std::uint32_t>::draw(
+        {k / 5, static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(sample >> 32), unit}, key.words());
+    EXPECT_EQ(drawn[k][lane], numbers_of(block)[k % 5]) << sample << " number " << k;
+  }
+}
+
+// Lane i is sample first + i, whatever the width.
 TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsSample) {
   const StreamKey key(7, "lanes");
   for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{0xFFFFFFFE}, std::uint64_t{1} << 40}) {
     PhiloxStream<Packet> stream(key, 5, first);
-    std::array<std::array<double, lanes<Packet>>, 6> drawn{};
+    std::array<std::array<double, lanes<Packet>>, 7> drawn{};
     for (auto& numbers : drawn) numbers = lanes_of(stream.next());
-    for (std::size_t i = 0; i < lanes<Packet>; ++i) {
-      const std::uint64_t sample = first + i;
-      for (std::uint32_t block : {0u, 1u}) {
-        const auto words = Philox<std::uint32_t>::draw(
-            {block, static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(sample >> 32), 5}, key.words());
-        for (std::size_t k = 0; k < (block == 0 ? 4u : 2u); ++k) {
-          EXPECT_EQ(drawn[4 * block + k][i], (words[3 - k] >> 8) * 0x1p-24) << first << " lane " << i;
-        }
-      }
-    }
+    for (std::size_t i = 0; i < lanes<Packet>; ++i) expect_sample(drawn, i, key, 5, first + i);
+  }
+}
+
+// Or any sample of any unit.
+TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsUnitAndVertex) {
+  using Word = PhiloxStream<Packet>::Word;
+  const StreamKey key(7, "lanes");
+  const Word i = lane_numbers<Packet::arch_type>();
+  PhiloxStream<Packet> stream(key, i * Word(3u), i + Word(10u), i * i);
+  std::array<std::array<double, lanes<Packet>>, 7> drawn{};
+  for (auto& numbers : drawn) numbers = lanes_of(stream.next());
+  for (std::uint32_t k = 0; k < lanes<Packet>; ++k) {
+    expect_sample(drawn, k, key, 3 * k, vertex_sample(10 + k, k * k));
   }
 }
 
