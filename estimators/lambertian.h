@@ -18,7 +18,10 @@ class Lambertian {
   static constexpr int dimensions = 2;
 
   /// Throws std::invalid_argument for an albedo outside [0,1].
-  explicit Lambertian(const Rgb<Real>& albedo) : albedo_(albedo) { require_albedo(albedo); }
+  explicit Lambertian(const Rgb<Real>& albedo, const Directions<Real>& directions = Directions<Real>())
+      : albedo_(albedo), directions_(directions) {
+    require_albedo(albedo);
+  }
 
   /// The same in all directions above the surface.
   Rgb<Real> albedo(const Vec3<Real>& out) const { return albedo_ * select(out.z() > Real(0), Real(1), Real(0)); }

@@ -55,6 +55,29 @@ Mask<Real> same_index(const xsimd::batch<std::int32_t, A>& a, const xsimd::batch
   return xsimd::to_float(a) == xsimd::to_float(b);
 }
 
+/// The lanes where the mask holds, as bits; the first lane is the lowest.
+#if defined(__AVX512F__)
+inline std::uint32_t lane_bits(const xsimd::batch_bool<float>& mask) {
+  return static_cast<xsimd::batch_bool<float>::register_type>(mask);
+}
+#elif defined(__AVX__)
+inline std::uint32_t lane_bits(const xsimd::batch_bool<float>& mask) {
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(mask));
+}
+#elif defined(__SSE2__)
+inline std::uint32_t lane_bits(const xsimd::batch_bool<float>& mask) {
+  return static_cast<std::uint32_t>(_mm_movemask_ps(mask));
+}
+#else
+inline std::uint32_t lane_bits(const xsimd::batch_bool<float>& mask) {
+  std::array<bool, xsimd::batch<float>::size> held{};
+  mask.store_unaligned(held.data());
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < held.size(); ++i) bits |= std::uint32_t{held[i]} << i;
+  return bits;
+}
+#endif
+
 template <class A>
 void store_lanes(const xsimd::batch<float, A>& x, double* out) {
   std::array<float, lanes<xsimd::batch<float, A>>> values{};
@@ -78,9 +101,52 @@ xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_
   return xsimd::batch<float, A>::gather(table, i);
 }
 
+namespace detail {
+
+/// A table that fits into one register, or two, is looked up by a permutation of its words, in a fraction of a gather's time.
+/// False where there is none for a table of this size, which is padded to whole registers.
 template <class A>
-std::pair<xsimd::batch<float, A>, xsimd::batch<float, A>> sine_and_cosine(const xsimd::batch<float, A>& x) {
-  return xsimd::sincos(x);
+bool look_up(const float*, std::size_t, const xsimd::batch<std::int32_t, A>&, xsimd::batch<float, A>&) {
+  return false;
+}
+#if defined(__AVX512F__)
+inline bool look_up(const float* table, std::size_t size, const xsimd::batch<std::int32_t>& i,
+                    xsimd::batch<float>& found) {
+  if (size > 32) return false;
+  const __m512 first = _mm512_loadu_ps(table);
+  found =
+      size <= 16 ? _mm512_permutexvar_ps(i, first) : _mm512_permutex2var_ps(first, i, _mm512_loadu_ps(table + 16));
+  return true;
+}
+#elif defined(__AVX2__)
+inline bool look_up(const float* table, std::size_t size, const xsimd::batch<std::int32_t>& i,
+                    xsimd::batch<float>& found) {
+  if (size > 8) return false;
+  found = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table), i);
+  return true;
+}
+#endif
+
+}  // namespace detail
+
+/// The nearest quarter of the turn is taken off, exactly; the rest is within an eighth, where short polynomials do.
+/// Source   Cephes (Moshier 1992), sinf and cosf
+template <class A>
+std::pair<xsimd::batch<float, A>, xsimd::batch<float, A>> sine_and_cosine_of_turn(
+    const xsimd::batch<float, A>& turn) {
+  using Real = xsimd::batch<float, A>;
+  const Real quarter = xsimd::nearbyint(turn * 4.0f);  // 0 to 4
+  const Real a = (turn - quarter * 0.25f) * (2 * pi<Real>);
+  const Real a2 = a * a;
+  const Real sine = a + a * a2 * ((Real(-1.9515295891e-4f) * a2 + 8.3321608736e-3f) * a2 - 1.6666654611e-1f);
+  const Real cosine =
+      1.0f - 0.5f * a2 +
+      a2 * a2 * ((Real(2.443315711809948e-5f) * a2 - 1.388731625493765e-3f) * a2 + 4.166664568298827e-2f);
+  const auto swapped = xsimd::abs(quarter - 2.0f) == Real(1.0f);
+  const Real s = select(swapped, cosine, sine);
+  const Real c = select(swapped, sine, cosine);
+  return {select(xsimd::abs(quarter - 2.5f) < Real(1.0f), -s, s),
+          select(xsimd::abs(quarter - 1.5f) < Real(1.0f), -c, c)};
 }
 
 /// 0, 1, 2, ... across the lanes.

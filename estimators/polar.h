@@ -10,7 +10,7 @@ namespace fairlight::detail {
 /// The unit vector at height z above the equator, at the fraction `turn` of a full turn about +z.
 template <class Real>
 Vec3<Real> direction_at(Real z, Real radius, Real turn) {
-  const auto [sine, cosine] = sine_and_cosine(Real(Real(2) * pi<Real> * turn));
+  const auto [sine, cosine] = sine_and_cosine_of_turn(turn);
   return {radius * cosine, radius * sine, z};
 }
 

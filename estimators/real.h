@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <type_traits>
@@ -57,11 +58,15 @@ inline bool all(bool mask) { return mask; }
 inline int whole(double x) { return static_cast<int>(x); }
 inline int whole(float x) { return static_cast<int>(x); }
 
-/// The sine and the cosine of x.
+/// The sine and the cosine of a part of a full turn, in [0,1].
 template <class Real>
-std::pair<Real, Real> sine_and_cosine(Real x) {
-  return {std::sin(x), std::cos(x)};
+std::pair<Real, Real> sine_and_cosine_of_turn(Real turn) {
+  const Real angle = 2 * std::numbers::pi_v<Real> * turn;
+  return {std::sin(angle), std::cos(angle)};
 }
+
+/// The lanes where the mask holds, as bits.
+inline std::uint32_t lane_bits(bool mask) { return mask ? 1 : 0; }
 
 /// Where two indices are the same, below 2^24.
 template <class Real>

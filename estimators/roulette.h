@@ -68,23 +68,25 @@ class Rouletted {
 template <class Roulette = RussianRoulette>
 struct RouletteByReflectance {
   template <class Real, UniformSource<Real> Source>
-  static Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>&, int, Source& source) {
+  static Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>&, const Real&, Source& source) {
     return Roulette::template play<Real>(max_channel(albedo), source.next());
   }
 };
 
 /// From a given depth on a path goes on with the largest channel of what it carries, where that is below 1: survivors
 /// carry 1, so that no work is spent on what hardly counts.
-/// Random   one dimension, none before the first depth
+/// Random   one dimension, none where no lane has come to the first depth
 /// Bound    the throughput is at most 1 after roulette, or what it was: it never exceeds 1 where no bounce weighs more
 /// Source   Arvo and Kirk 1990; Pharr, Jakob, Humphreys, PBR 4ed, 13.4
 template <int first_depth = 0, class Roulette = RussianRoulette>
 struct RouletteByThroughput {
   template <class Real, UniformSource<Real> Source>
-  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>& throughput, int depth, Source& source) {
+  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>& throughput, const Real& depth, Source& source) {
     using std::min;
-    if (depth < first_depth) return {Mask<Real>(true), Real(1)};
-    return Roulette::template play<Real>(Real(min(Real(1), max_channel(throughput))), source.next());
+    const Mask<Real> spared = depth < rounded<Real>(first_depth);
+    if (all(spared)) return {spared, Real(1)};
+    const Real q = min(Real(1), max_channel(throughput));
+    return Roulette::template play<Real>(select(spared, Real(1), q), source.next());
   }
 };
 
@@ -92,7 +94,7 @@ struct RouletteByThroughput {
 /// Source   the paper, 3.2.1 ("truncated light paths after a fixed depth")
 struct NoRoulette {
   template <class Real, UniformSource<Real> Source>
-  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>&, int, Source&) {
+  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>&, const Real&, Source&) {
     return {Mask<Real>(true), Real(1)};
   }
 };

@@ -113,22 +113,31 @@ class Camera {
   // From a point of the lens along a direction that goes 1 along the axis.
   template <class Real>
   Ray<Real> starting(const Vec3<Real>& origin, const Vec3<Real>& direction) const {
-    return {origin + direction * rounded<Real>(settings_.start), direction / direction.norm(), -1};
+    return {origin + direction * rounded<Real>(settings_.start), direction / direction.norm(), Real(-1)};
   }
 
   CameraSettings settings_;
   Vec3<double> look_, right_, down_;
 };
 
-/// The ray of one sample of pixel (x, y): through a place that the filter draws about its middle, and a point of the lens.
-/// Takes two numbers of the source, and two more when there is a lens.
+/// The ray of one sample of a pixel, whose middle is that many pixels from the image's top left corner: through a place that
+/// the filter draws about it, and a point of the lens. Takes two numbers of the source, and two more when there is a lens.
+template <class Filter, UniformSource<typename Filter::Scalar> Source>
+Ray<typename Filter::Scalar> pixel_ray(const Camera& camera, const Filter& filter,
+                                       const Vec2<typename Filter::Scalar>& middle, int width, int height,
+                                       Source& source) {
+  using Real = typename Filter::Scalar;
+  const Vec2<Real> place = filter.sample(next_pair<Real>(source)) + middle;
+  return camera.ray<Real>(place.x(), place.y(), width, height, source);
+}
+
+/// The same for pixel (x, y), in every lane.
 template <class Filter, UniformSource<typename Filter::Scalar> Source>
 Ray<typename Filter::Scalar> pixel_ray(const Camera& camera, const Filter& filter, int x, int y, int width,
                                        int height, Source& source) {
   using Real = typename Filter::Scalar;
-  const Vec2<Real> middle(rounded<Real>(x + 0.5), rounded<Real>(y + 0.5));
-  const Vec2<Real> place = filter.sample(next_pair<Real>(source)) + middle;
-  return camera.ray<Real>(place.x(), place.y(), width, height, source);
+  return pixel_ray(camera, filter, Vec2<Real>(rounded<Real>(x + 0.5), rounded<Real>(y + 0.5)), width, height,
+                   source);
 }
 
 }  // namespace fairlight

@@ -4,83 +4,144 @@
 #include <vector>
 
 #include <fairlight/estimators/choose_light.h>
-#include <fairlight/estimators/sphere_sampling.h>
-#include <fairlight/render/scene.h>
+#include <fairlight/render/traced_scene.h>
 
 namespace fairlight {
 
-/// `Geometry` below is a Scene, or anything that answers as one does.
+/// `Scene` below is a TracedScene, or anything that answers as one does.
 
 /// A point on a surface that light is reflected at: `normal` is the unit normal on the side where it is reflected.
 template <class Real>
 struct Vertex {
   Vec3<Real> position;
   Vec3<Real> normal;
-  int surface;
+  Real surface;
+};
+
+/// How points of luminaires are sampled: those of spheres by one strategy, those of rectangles by another.
+template <template <class> class SphereSampling, template <class> class RectangleSampling = RectangleByArea>
+struct PointsBy {
+  /// A direction towards luminaire i; `on_it` says that `from` lies on its surface.
+  template <class Real>
+  static LightSample<Real> sample(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>& on_it,
+                                  const Vec3<Real>& from, const Vec2<Real>& u) {
+    if (!lights.has_rectangles()) return SphereSampling<Real>(lights.sphere(i, on_it)).sample(from, u);
+    const LightSample<Real> flat = RectangleSampling<Real>(lights.rectangle(i)).sample(from, u);
+    if (!lights.has_spheres()) return flat;
+    const LightSample<Real> round = SphereSampling<Real>(lights.sphere(i, on_it)).sample(from, u);
+    const Mask<Real> is_flat = lights.is_rectangle(i);
+    return {select(is_flat, flat.direction, round.direction), select(is_flat, flat.distance, round.distance),
+            Density<SolidAngle, Real>(select(is_flat, flat.density.value(), round.density.value()))};
+  }
+
+  /// The density of that direction.
+  template <class Real>
+  static Density<SolidAngle, Real> pdf(const LightTable<Real>& lights, const Index<Real>& i,
+                                       const Mask<Real>& on_it, const Vec3<Real>& from,
+                                       const Vec3<Real>& direction) {
+    if (!lights.has_rectangles()) return SphereSampling<Real>(lights.sphere(i, on_it)).pdf(from, direction);
+    const auto flat = RectangleSampling<Real>(lights.rectangle(i)).pdf(from, direction);
+    if (!lights.has_spheres()) return flat;
+    const auto round = SphereSampling<Real>(lights.sphere(i, on_it)).pdf(from, direction);
+    return Density<SolidAngle, Real>(select(lights.is_rectangle(i), flat.value(), round.value()));
+  }
 };
 
 /// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of them or
-/// of one of them: `Luminaires` says which (AllOf, OneOf, OneBy), `SphereSampling` where on it.
+/// of one of them: `Luminaires` says which (AllOf, OneOf, OneBy), `Points` where on it.
 /// Formula  sum over L of  f Le cos / p_w, where the point is seen; else 0
-/// Measure  solid angle, by SphereSampling
-/// Domain   spheres that emit, from without, from within, or from their own surface
+/// Measure  solid angle, by Points
+/// Domain   luminaires that emit, from without, from within, or from their own surface
 /// Random   two dimensions per shadow ray, and those of the choice
 /// Bound    per luminaire, max(Le f cos / p_w): by area at most A max(Le f) / d^2 with d the smallest distance from the
 ///          vertex to the luminaire, by cone S max(Le f) with S the cone's solid angle
 /// Source   Shirley, Wang, Zimmerman 1996; the paper, 3.2 and A.1
-template <class Luminaires, template <class> class SphereSampling = SphereByArea>
+template <class Luminaires, class Points = PointsBy<SphereByArea>>
 class DirectLight {
  public:
-  explicit DirectLight(Luminaires luminaires = Luminaires()) : luminaires_(std::move(luminaires)) {}
+  explicit DirectLight(Luminaires luminaires = Luminaires(), Points points = Points())
+      : luminaires_(std::move(luminaires)), points_(std::move(points)) {}
 
-  /// Emission is counted where the path starts; later it has been counted by a shadow ray (the paper, A.2).
-  static constexpr bool counts_emission(int depth) { return depth == 0; }
+  /// Emission is counted where the path starts, and where the last bounce had no density, as no shadow ray can find it;
+  /// elsewhere it has been counted by one (the paper, A.2).
+  template <class Real, class Scene>
+  static Real emission_weight(const Scene&, const Ray<Real>&, const Real& /*surface*/, const Real& density) {
+    return select(density == Real(0), Real(1), Real(0));
+  }
 
-  template <class Real, class Geometry, UniformSource<Real> Source, class Bsdf>
-  Rgb<Real> estimate(const Geometry& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source) const {
-    const auto& luminaires = scene.luminaires();
-    const auto term = [&](int i, Source& numbers) {
-      return from(luminaires[static_cast<std::size_t>(i)], scene, vertex, bsdf, numbers);
+  /// Whether a bounce that has a density need not look for light.
+  static constexpr bool finds_all_light() { return true; }
+
+  template <class Real, class Scene, UniformSource<Real> Source, class Bsdf>
+  Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
+                     const Mask<Real>& asked = Mask<Real>(true)) const {
+    const auto term = [&](const auto& i, Source& numbers) {
+      return from(Index<Real>(i), scene, vertex, bsdf, numbers, asked);
     };
-    return luminaires_.template sum<Real>(static_cast<int>(luminaires.size()), source, term);
+    const int n = scene.lights().size();
+    if (n == 0) return zero<Rgb<Real>>();
+    if constexpr (requires { luminaires_.seen_from(scene.lights(), vertex.position); }) {
+      return luminaires_.seen_from(scene.lights(), vertex.position).template sum<Real>(n, source, term);
+    } else {
+      return luminaires_.template sum<Real>(n, source, term);
+    }
   }
 
  private:
   // A luminaire on which the vertex itself lies shows its inner face to it: where it reflects outwards, nothing.
-  template <class Real, class Geometry, class Source, class Bsdf>
-  static Rgb<Real> from(const Luminaire& light, const Geometry& scene, const Vertex<Real>& vertex, const Bsdf& bsdf,
-                        Source& source) {
-    const SphereLight<Real> sphere(light.centre, light.radius, vertex.surface == light.surface);
+  template <class Real, class Scene, class Source, class Bsdf>
+  Rgb<Real> from(const Index<Real>& light, const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf,
+                 Source& source, const Mask<Real>& asked) const {
+    const LightTable<Real>& lights = scene.lights();
+    const Real surface = lights.surface(light);
     const auto [direction, distance, density] =
-        SphereSampling<Real>(sphere).sample(vertex.position, next_pair<Real>(source));
-    const Rgb<Real> reflected = bsdf.eval_world(direction);
-    if (!(density.value() > Real(0) && (reflected > Real(0)).any())) return Rgb<Real>::Zero();
-    if (!scene.visible({vertex.position, direction, vertex.surface}, distance, light.surface))
-      return Rgb<Real>::Zero();
-    const Real cosine = vertex.normal.dot(direction);
-    return light.radiance * reflected * cosine / density;
+        points_.sample(lights, light, vertex.surface == surface, vertex.position, next_pair<Real>(source));
+    const Mask<Real> exists = asked && density.value() > Real(0);
+    const Vec3<Real> towards = select(exists, direction, vertex.normal);
+    const Rgb<Real> reflected = bsdf.eval_world(towards);
+    const Mask<Real> counts = exists && max_channel(reflected) > Real(0);
+    if (!any(counts)) return zero<Rgb<Real>>();
+    const Mask<Real> seen =
+        counts && scene.visible({vertex.position, towards, vertex.surface}, distance, surface, counts);
+    const Real cosine = vertex.normal.dot(towards);
+    const Rgb<Real> brought =
+        lights.radiance(light) * reflected * Real(cosine / select(exists, density.value(), Real(1)));
+    return select(seen, brought, zero<Rgb<Real>>());
   }
 
   Luminaires luminaires_;
+  Points points_;
 };
 
-/// One of a scene's luminaires by its power, 4 pi^2 r^2 times the mean of the radiance's channels [W], from each face.
-inline OneBy<PowerChoice<double>> one_by_power(const Scene& scene) {
+/// One of a scene's luminaires by its power.
+template <class Real = double>
+OneBy<PowerChoice<Real>> one_by_power(const Scene& scene) {
   std::vector<double> powers;
-  for (const Luminaire& light : scene.luminaires()) {
-    powers.push_back(4 * pi<double> * pi<double> * light.radius * light.radius * light.radiance.mean());
-  }
-  return OneBy(PowerChoice<double>(powers));
+  for (const Luminaire& light : scene.luminaires()) powers.push_back(power_of(light));
+  return OneBy(PowerChoice<Real>(powers));
 }
+
+/// One of a scene's luminaires by what it may bring to the vertex: see LightTable::contribution.
+struct OneByContribution {
+  template <class Real>
+  static auto seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) {
+    const auto weight = [&lights, point](int i) { return lights.contribution(i, point); };
+    return OneBy(ContributionChoice<Real, decltype(weight)>(lights.size(), weight));
+  }
+};
 
 /// No shadow rays: light is found by the bounces alone, and emission is counted at every depth.
 /// Source   Kajiya 1986
 struct NoDirectLight {
-  static constexpr bool counts_emission(int) { return true; }
+  template <class Real, class Scene>
+  static Real emission_weight(const Scene&, const Ray<Real>&, const Real& /*surface*/, const Real& /*density*/) {
+    return Real(1);
+  }
+  static constexpr bool finds_all_light() { return false; }
 
-  template <class Real, class Geometry, UniformSource<Real> Source, class Bsdf>
-  static Rgb<Real> estimate(const Geometry&, const Vertex<Real>&, const Bsdf&, Source&) {
-    return Rgb<Real>::Zero();
+  template <class Real, class Scene, UniformSource<Real> Source, class Bsdf>
+  static Rgb<Real> estimate(const Scene&, const Vertex<Real>&, const Bsdf&, Source&, const Mask<Real>&) {
+    return zero<Rgb<Real>>();
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <fairlight/estimators/vec.h>
@@ -27,6 +28,10 @@ class Film {
   /// number, or 2^64 and more: it is never repaired.
   void add(int x, int y, const Rgb<double>& sample);
 
+  /// Adds samples to a pixel, one list a channel. Throws as above; channels may then have been added, but no part of one.
+  void add(int x, int y, const std::array<std::span<const float>, 3>& samples);
+  void add(int x, int y, const std::array<std::span<const double>, 3>& samples);
+
   /// Throws std::invalid_argument when the sizes differ.
   void merge(const Film& other);
 
@@ -36,6 +41,9 @@ class Film {
   bool operator==(const Film&) const = default;
 
  private:
+  template <class Samples>
+  void add_all(int x, int y, const Samples& samples);
+
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }

@@ -3,36 +3,28 @@
 #include <stdexcept>
 #include <utility>
 
-#include <fairlight/estimators/lambertian.h>
 #include <fairlight/estimators/roulette.h>
 #include <fairlight/render/direct_light.h>
 
 namespace fairlight {
 
-/// A Lambertian surface at a vertex, in world directions.
-template <class Real, template <class> class Directions>
-class SurfaceBsdf {
- public:
-  /// `out`: towards the viewer, in the world.
-  SurfaceBsdf(const Rgb<Real>& albedo, const Vec3<Real>& normal, const Vec3<Real>& out)
-      : material_(albedo), frame_(normal), out_(frame_.to_local(out)) {}
+/// A path on its way: its next ray, and what has been found so far.
+template <class Real>
+struct Path {
+  Ray<Real> ray;
+  Rgb<Real> throughput = Rgb<Real>::Constant(Real(1));
+  Rgb<Real> radiance = Rgb<Real>::Constant(Real(0));  ///< [W/(sr m^2)]
+  Real density = Real(0);  ///< of the last bounce [1/sr]; 0 for a single direction, and at the camera
+  Real depth = Real(0);    ///< how many bounces it has made
+};
 
-  /// The BRDF [1/sr], without the cosine; 0 below the surface.
-  Rgb<Real> eval_world(const Vec3<Real>& direction) const {
-    return material_.eval(out_, frame_.to_local(direction));
+/// How diffuse surfaces are sampled: Directions is the hemisphere's law.
+template <template <class> class Directions>
+struct BouncesBy {
+  template <class Real>
+  static Directions<Real> directions() {
+    return {};
   }
-
-  /// A bounce whose direction is in the world.
-  Bounce<Real> sample_world(const Vec2<Real>& u) const {
-    Bounce<Real> bounce = material_.sample(out_, u);
-    bounce.in = frame_.to_world(bounce.in);
-    return bounce;
-  }
-
- private:
-  Lambertian<Real, Directions> material_;
-  Frame<Real> frame_;
-  Vec3<Real> out_;
 };
 
 /// Radiance along a ray by following one path: emission, light from the luminaires, and what is reflected, each
@@ -40,58 +32,82 @@ class SurfaceBsdf {
 /// the sum of the terms up to that depth, and unbiased for that.
 /// Formula  L = sum over depths of throughput x (emission + direct light)
 /// Measure  none: an estimate of radiance [W/(sr m^2)]
-/// Domain   diffuse spheres; a surface that is perfectly white in some channel and encloses the path needs a depth
+/// Domain   every lane a path of its own. A surface that is perfectly white in some channel and encloses the path needs a depth
 /// Random   two dimensions per bounce, one per roulette, and those of the direct light
 /// Source   Kajiya 1986; the paper, sections 2 and 3
-template <template <class> class Directions, class Direct, class Roulette>
+template <class Bounces, class Direct, class Roulette>
 class PathTracer {
  public:
   static constexpr int no_limit = -1;
 
   /// max_depth: the number of bounces after which a path ends, or no_limit. Throws std::invalid_argument below
   /// that.
-  explicit PathTracer(int max_depth = no_limit, Direct direct = Direct())
-      : max_depth_(max_depth), direct_(std::move(direct)) {
+  explicit PathTracer(int max_depth = no_limit, Direct direct = Direct(), Bounces bounces = Bounces(),
+                      Roulette roulette = Roulette())
+      : max_depth_(max_depth),
+        direct_(std::move(direct)),
+        bounces_(std::move(bounces)),
+        roulette_(std::move(roulette)) {
     if (max_depth < no_limit) throw std::invalid_argument("a maximum depth must be nonnegative");
   }
 
-  template <class Real, class Geometry, UniformSource<Real> Source>
-  Rgb<Real> radiance(const Geometry& scene, Ray<Real> ray, Source& source) const {
-    Rgb<Real> sum = Rgb<Real>::Zero();
-    Rgb<Real> throughput = Rgb<Real>::Ones();
-    for (int depth = 0;; ++depth) {
-      const Hit<Real> hit = scene.intersect(ray);
-      if (hit.surface < 0) return sum;
-      const Surface& surface = scene.surfaces()[static_cast<std::size_t>(hit.surface)];
-      if (Direct::counts_emission(depth)) sum += throughput * surface.radiance;
-      if (depth == max_depth_) return sum;
+  /// All of a path.
+  template <class Real, class Scene, UniformSource<Real> Source>
+  Rgb<Real> radiance(const Scene& scene, const Ray<Real>& ray, Source& source) const {
+    Path<Real> path{ray};
+    Mask<Real> alive(true);
+    while (any(alive)) alive = advance(scene, path, source, alive);
+    return path.radiance;
+  }
 
-      const Vertex<Real> vertex = vertex_at(surface.shape, hit, ray);
-      const SurfaceBsdf<Real, Directions> bsdf(surface.albedo, vertex.normal, -ray.direction);
-      sum += throughput * direct_.template estimate<Real>(scene, vertex, bsdf, source);
+  /// The paths that are alive, to their next vertex and off it: adds what they find there, and says which go on.
+  template <class Real, class Scene, UniformSource<Real> Source>
+  [[gnu::flatten]] Mask<Real> advance(const Scene& scene, Path<Real>& path, Source& source, Mask<Real> alive) const {
+    const Hit<Real> hit = scene.intersect(path.ray, alive);
+    alive = alive && hit.surface >= Real(0);
+    const auto surface = whole(Real(select(alive, hit.surface, Real(0))));
+    const Real weight =
+        direct_.emission_weight(scene, path.ray, Real(select(alive, hit.surface, Real(0))), path.density);
+    path.radiance +=
+        select(alive, Rgb<Real>(path.throughput * scene.materials().radiance(surface) * weight), zero<Rgb<Real>>());
+    if (max_depth_ != no_limit) alive = alive && path.depth < Real(static_cast<Lane<Real>>(max_depth_));
+    if (!any(alive)) return alive;
 
-      if (depth + 1 == max_depth_ && !Direct::counts_emission(max_depth_)) return sum;
-
-      const auto [alive, weight] = Roulette::template play<Real>(surface.albedo, throughput, depth, source);
-      if (!alive) return sum;
-      const auto bounce = bsdf.sample_world(next_pair<Real>(source));
-      throughput *= bounce.weight * weight;
-      if ((throughput == Real(0)).all()) return sum;
-      ray = {vertex.position, bounce.in, hit.surface};
-    }
+    const Vec3<Real> out = -path.ray.direction;
+    const Vec3<Real> position = path.ray.origin + select(alive, hit.distance, Real(0)) * path.ray.direction;
+    const Vec3<Real> outward = select(alive, scene.normal_at(surface, position), out);
+    const SurfaceBsdf bsdf(scene.materials(), surface, outward, out, bounces_.template directions<Real>());
+    const Vertex<Real> vertex{position, bsdf.normal(), hit.surface};
+    path.radiance += path.throughput * direct_.template estimate<Real>(scene, vertex, bsdf, source, alive);
+    return bounce(path, vertex, bsdf, source, alive);
   }
 
  private:
-  template <class Real>
-  static Vertex<Real> vertex_at(const Sphere<double>& shape, const Hit<Real>& hit, const Ray<Real>& ray) {
-    const Vec3<Real> position = ray.origin + hit.distance * ray.direction;
-    const Vec3<Real> outward = shape.normal_at(position).normalized();
-    const bool from_outside = outward.dot(ray.direction) < Real(0);
-    return {position, from_outside ? outward : Vec3<Real>(-outward), hit.surface};
+  template <class Real, class Bsdf, class Source>
+  Mask<Real> bounce(Path<Real>& path, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
+                    Mask<Real> alive) const {
+    if (direct_.finds_all_light() && max_depth_ != no_limit) {
+      // The last vertex would only look for light: a bounce that has a density leaves that to the shadow ray.
+      const Mask<Real> last = path.depth + Real(1) == Real(static_cast<Lane<Real>>(max_depth_));
+      if (any(last)) alive = alive && (!last || bsdf.is_single());
+      if (!any(alive)) return alive;
+    }
+    const auto [survives, weight] =
+        roulette_.template play<Real>(bsdf.albedo(), path.throughput, path.depth, source);
+    alive = alive && survives;
+    if (!any(alive)) return alive;
+    const Bounce<Real> next = bsdf.sample_world(next_pair<Real>(source));
+    path.throughput = select(alive, Rgb<Real>(path.throughput * next.weight * weight), zero<Rgb<Real>>());
+    path.ray = {vertex.position, select(alive, next.in, path.ray.direction), vertex.surface};
+    path.density = next.density.value();
+    path.depth += Real(1);
+    return alive && max_channel(path.throughput) > Real(0);
   }
 
   int max_depth_;
   Direct direct_;
+  Bounces bounces_;
+  Roulette roulette_;
 };
 
 }  // namespace fairlight

@@ -162,12 +162,15 @@ void add_render(CLI::App& program, Command& command) {
                             std::vector<std::string> values) {
     app->add_option(name, value, help)->check(CLI::IsMember(std::move(values)))->capture_default_str();
   };
+  choice("--real", settings.real, "Packets of floats, or doubles one at a time", {"packet", "double"});
   choice("--bounce", settings.bounce, "How directions are sampled", {"cosine", "uniform"});
   choice("--direct", settings.direct, "Shadow rays to luminaires, or none", {"light", "none"});
-  choice("--light-sampling", settings.light_sampling, "How a luminaire's points are sampled", {"area"});
-  choice("--which-light", settings.which_light, "All luminaires, or one of them", {"all", "one"});
-  choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "off"});
-  choice("--filter", settings.filter, "The pixel filter", {"tent"});
+  choice("--light-sampling", settings.light_sampling, "How a luminaire's points are sampled",
+         {"area", "visible", "cone", "solid-angle"});
+  choice("--which-light", settings.which_light, "All luminaires, or one of them: any, or by power or contribution",
+         {"all", "one", "power", "contribution"});
+  choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "throughput", "off"});
+  choice("--filter", settings.filter, "The pixel filter", {"tent", "box", "gaussian", "blackman-harris"});
   app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
       ->check(CLI::Range(0, 1 << 20));
   app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();

@@ -1,38 +1,89 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fairlight/estimators/bsdf.h>
+#include <fairlight/estimators/dielectric.h>
+#include <fairlight/estimators/glossy.h>
+#include <fairlight/estimators/rectangle_light.h>
+#include <fairlight/estimators/rough_conductor.h>
 #include <fairlight/render/scene.h>
 
 namespace fairlight {
+namespace {
 
-void Scene::add_sphere(const Vec3<double>& centre, double radius, const Rgb<double>& albedo,
+// By the component that will reflect the light: it knows its domain.
+void require_material(const Material& material) {
+  require_albedo(material.albedo);
+  const double number = material.parameter;
+  switch (material.kind) {
+    case Material::Kind::gloss:
+      static_cast<void>(Glossy<double>(material.albedo, number));
+      break;
+    case Material::Kind::metal:
+      static_cast<void>(Ggx<double>(number, number));
+      break;
+    case Material::Kind::glass:
+      static_cast<void>(Dielectric<double>(number));
+      break;
+    case Material::Kind::diffuse:
+    case Material::Kind::mirror:
+      break;
+  }
+}
+
+void require_radius(const Vec3<double>& place, double radius) {
+  if (!(radius > 0 && std::isfinite(radius) && place.allFinite()))
+    throw std::invalid_argument("a sphere's radius must be positive and finite, and its place finite (in metres)");
+}
+
+}  // namespace
+
+double power_of(const Luminaire& light) {
+  const double area =
+      light.is_rectangle ? light.edge_x.norm() * light.edge_y.norm() : 4 * pi<double> * light.radius * light.radius;
+  return pi<double> * area * light.radiance.mean();
+}
+
+void Scene::add_sphere(const Vec3<double>& centre, double radius, const Material& material,
                        const Rgb<double>& radiance) {
+  require_radius(centre, radius);
   const Vec3<double> up(0, 1, 0);
-  add({centre + radius * up, up, 1 / radius}, radius, albedo, radiance);
+  const Sphere<double> shape{centre + radius * up, up, 1 / radius};
+  add({shape, {}, material, radiance}, {.centre = centre, .radius = radius, .is_rectangle = false});
 }
 
 void Scene::add_wall(const Vec3<double>& point, const Vec3<double>& outward, double radius,
-                     const Rgb<double>& albedo, const Rgb<double>& radiance) {
-  if (!(std::abs(outward.norm() - 1) <= 1e-9)) {
+                     const Material& material, const Rgb<double>& radiance) {
+  require_radius(point, radius);
+  if (!(std::abs(outward.norm() - 1) <= 1e-9))
     throw std::invalid_argument("a wall's normal must be a unit vector (it is the direction away from the centre)");
-  }
-  add({point, outward, 1 / radius}, radius, albedo, radiance);
+  add({{point, outward, 1 / radius}, {}, material, radiance},
+      {.centre = point - radius * outward, .radius = radius, .is_rectangle = false});
 }
 
-void Scene::add(const Sphere<double>& shape, double radius, const Rgb<double>& albedo,
-                const Rgb<double>& radiance) {
-  if (!(radius > 0 && std::isfinite(radius) && shape.anchor.allFinite())) {
-    throw std::invalid_argument("a sphere's radius must be positive and finite, and its place finite (in metres)");
-  }
-  if (!((albedo >= 0) && (albedo <= 1)).all()) {
-    throw std::invalid_argument("an albedo must be in [0,1] per channel (a surface reflects no more than it gets)");
-  }
-  if (!((radiance >= 0).all() && radiance.isFinite().all())) {
+void Scene::add_rectangle(const Vec3<double>& corner, const Vec3<double>& edge_x, const Vec3<double>& edge_y,
+                          const Material& material, const Rgb<double>& radiance) {
+  static_cast<void>(RectangleLight<double>(corner, edge_x, edge_y));  // it knows what a rectangle is
+  if (material.kind == Material::Kind::glass)
+    throw std::invalid_argument("a rectangle cannot be of glass (it has no inside; use a sphere)");
+  const Vec3<double> middle = corner + (edge_x + edge_y) / 2;
+  const Sphere<double> plane{middle, edge_x.cross(edge_y).normalized(), 0};
+  const Rectangle<double> rectangle{plane, 2 * edge_x / edge_x.squaredNorm(), 2 * edge_y / edge_y.squaredNorm()};
+  add({plane, rectangle, material, radiance}, {.centre = middle,
+                                               .radius = (edge_x + edge_y).norm() / 2,
+                                               .is_rectangle = true,
+                                               .edge_x = edge_x,
+                                               .edge_y = edge_y});
+}
+
+void Scene::add(const Surface& surface, Luminaire luminaire) {
+  require_material(surface.material);
+  if (!((surface.radiance >= 0).all() && surface.radiance.isFinite().all()))
     throw std::invalid_argument("a radiance must be nonnegative and finite per channel");
-  }
-  const int index = static_cast<int>(surfaces_.size());
-  surfaces_.push_back({shape, albedo, radiance});
-  if ((radiance > 0).any()) luminaires_.push_back({index, shape.anchor - radius * shape.normal, radius, radiance});
+  luminaire.surface = static_cast<int>(surfaces_.size());
+  luminaire.radiance = surface.radiance;
+  surfaces_.push_back(surface);
+  if ((surface.radiance > 0).any()) luminaires_.push_back(luminaire);
 }
 
 }  // namespace fairlight

@@ -1,83 +1,92 @@
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
-#include <fairlight/estimators/sphere_light.h>
-#include <fairlight/render/sphere.h>
+#include <fairlight/render/rectangle.h>
 
 namespace fairlight {
 
-/// A surface's sphere and what it does with light.
+/// What a surface does with light, and the number that its kind has besides the albedo.
+struct Material {
+  enum class Kind {
+    diffuse,  ///< Lambertian
+    gloss,    ///< Glossy; its exponent
+    metal,    ///< RoughConductor of GGX facets, of the albedo's reflectance; its roughness
+    mirror,   ///< Mirror
+    glass,    ///< Dielectric; its index. Albedo 1
+  };
+  static constexpr int kinds = 5;
+
+  /// A diffuse surface, of any expression of a colour.
+  template <class Colour>
+  Material(const Eigen::ArrayBase<Colour>& reflectance) : albedo(reflectance) {}  // NOLINT: a colour is a material
+  Material(Kind k, const Rgb<double>& reflectance, double number)
+      : kind(k), albedo(reflectance), parameter(number) {}
+
+  Kind kind = Kind::diffuse;
+  Rgb<double> albedo;  ///< in [0,1] per channel
+  double parameter = 1;
+};
+
+/// A surface's shape, what it does with light, and what it emits.
 struct Surface {
-  Sphere<double> shape;
-  Rgb<double> albedo;    ///< diffuse reflectance, in [0,1] per channel
+  Sphere<double> shape;  ///< or a plane, of which `rectangle` is a part
+  std::optional<Rectangle<double>> rectangle;
+  Material material;
   Rgb<double> radiance;  ///< emitted, the same in all directions and from both sides [W/(sr m^2)]
 };
 
-/// A surface that emits, as a sphere to be sampled.
+/// A surface that emits, as a sphere or a rectangle to be sampled.
 struct Luminaire {
-  int surface;           ///< its index in the scene
-  Vec3<double> centre;   ///< [m]
-  double radius;         ///< [m]
-  Rgb<double> radiance;  ///< [W/(sr m^2)]
+  int surface = -1;               ///< its index in the scene
+  Vec3<double> centre{0, 0, 0};   ///< [m]
+  double radius = 0;              ///< of a sphere, or of the circle about a rectangle [m]
+  Rgb<double> radiance{0, 0, 0};  ///< [W/(sr m^2)]
+  bool is_rectangle = false;
+  Vec3<double> edge_x{0, 0, 0}, edge_y{0, 0, 0};  ///< of a rectangle [m]
 };
 
-/// A half line; `leaving` is the surface that it starts on, or -1. The direction is a unit vector.
+/// The power that leaves each face of a luminaire, pi times its area and the mean of its radiance's channels [W].
+double power_of(const Luminaire& light);
+
+/// A half line; `leaving` is the index of the surface that it starts on, or -1. The direction is a unit vector.
 template <class Real>
 struct Ray {
   Vec3<Real> origin;
   Vec3<Real> direction;
-  int leaving;
+  Real leaving;
 };
 
-/// Where a ray first meets a surface; surface is -1 and the distance infinite where it meets none.
+/// Where a ray first meets a surface; the index is -1 and the distance infinite where it meets none.
 template <class Real>
 struct Hit {
   Real distance;
-  int surface;
+  Real surface;
 };
 
-/// Spheres, some of which emit. Every sphere is closed or as good as flat; there is no other geometry yet.
+/// Spheres and rectangles, some of which emit.
 class Scene {
  public:
   /// A sphere by centre and radius [m]. Throws std::invalid_argument for a radius that is not positive and finite,
-  /// an albedo outside [0,1], or a radiance that is negative or not finite.
-  void add_sphere(const Vec3<double>& centre, double radius, const Rgb<double>& albedo,
-                  const Rgb<double>& radiance);
+  /// an albedo outside [0,1], a material's number outside its domain, or a radiance that is negative or not finite.
+  void add_sphere(const Vec3<double>& centre, double radius, const Material& material, const Rgb<double>& radiance);
 
   /// A wall: the sphere of the given radius [m] that passes through `point` with the outward unit normal `outward`
   /// there. Exact for any radius. Throws as add_sphere, and when the normal is not a unit vector to 1e-9.
-  void add_wall(const Vec3<double>& point, const Vec3<double>& outward, double radius, const Rgb<double>& albedo,
+  void add_wall(const Vec3<double>& point, const Vec3<double>& outward, double radius, const Material& material,
                 const Rgb<double>& radiance);
+
+  /// A rectangle by a corner and the edges from it [m]. Throws as add_sphere, and unless the edges are longer than 0 and
+  /// orthogonal; for glass, which is the inside of something.
+  void add_rectangle(const Vec3<double>& corner, const Vec3<double>& edge_x, const Vec3<double>& edge_y,
+                     const Material& material, const Rgb<double>& radiance);
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   const std::vector<Luminaire>& luminaires() const { return luminaires_; }
 
-  /// The first surface that the ray meets.
-  template <class Real>
-  Hit<Real> intersect(const Ray<Real>& ray) const {
-    Hit<Real> hit{infinity<Real>, -1};
-    for (int i = 0; i < static_cast<int>(surfaces_.size()); ++i) {
-      const Real distance = shape(i).distance(ray.origin, ray.direction, ray.leaving == i);
-      if (distance < hit.distance) hit = {distance, i};
-    }
-    return hit;
-  }
-
-  /// Whether nothing but the surface `target` stands on the ray closer than `distance` [m]. The target is convex
-  /// and its point faces the origin, so it does not stand in its own way.
-  template <class Real>
-  bool visible(const Ray<Real>& ray, Real distance, int target) const {
-    for (int i = 0; i < static_cast<int>(surfaces_.size()); ++i) {
-      if (i != target && shape(i).distance(ray.origin, ray.direction, ray.leaving == i) < distance) return false;
-    }
-    return true;
-  }
-
  private:
-  void add(const Sphere<double>& shape, double radius, const Rgb<double>& albedo, const Rgb<double>& radiance);
-  const Sphere<double>& shape(int surface) const { return surfaces_[static_cast<std::size_t>(surface)].shape; }
+  void add(const Surface& surface, Luminaire luminaire);
 
   std::vector<Surface> surfaces_;
   std::vector<Luminaire> luminaires_;

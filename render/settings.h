@@ -15,15 +15,16 @@ struct RenderSettings {
   std::string scene = "cornell-simple";
   int width = 256;
   int height = 256;
+  std::string real = "packet";          ///< packet | double
   std::string bounce = "cosine";        ///< cosine | uniform
   std::string direct = "light";         ///< light | none
-  std::string light_sampling = "area";  ///< area
-  std::string which_light = "one";      ///< all | one
-  std::string roulette = "albedo";      ///< albedo | off
-  std::string filter = "tent";          ///< tent
+  std::string light_sampling = "area";  ///< area | visible | cone | solid-angle
+  std::string which_light = "one";      ///< all | one | power | contribution
+  std::string roulette = "albedo";      ///< albedo | throughput | off
+  std::string filter = "tent";          ///< tent | box | gaussian | blackman-harris
   int max_depth = -1;                   ///< bounces; -1 for no limit
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, bounce, direct, light_sampling,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, real, bounce, direct, light_sampling,
                                    which_light, roulette, filter, max_depth)
 
 /// Samples first .. last - 1 of every pixel.

@@ -13,11 +13,14 @@ struct Sphere {
   Vec3<Real> normal;
   Real curvature;
 
-  /// Zero on the sphere, negative inside, near it the signed distance [m].
-  Real level(const Vec3<Real>& x) const {
-    const Vec3<Real> y = x - anchor;
-    return Real(0.5) * curvature * y.squaredNorm() + normal.dot(y);
+  /// The same for all lanes of a packet.
+  template <class Other>
+  Sphere<Other> in() const {
+    return {anchor.template cast<Other>(), normal.template cast<Other>(), Other(curvature)};
   }
+
+  /// Zero on the sphere, negative inside, near it the signed distance [m].
+  Real level(const Vec3<Real>& x) const { return Real(0.5) * twice_level(x - anchor); }
 
   /// The outward unit normal at a point of the sphere.
   Vec3<Real> normal_at(const Vec3<Real>& x) const { return normal + curvature * (x - anchor); }
@@ -27,21 +30,49 @@ struct Sphere {
   /// hit again where the ray starts, at any scale, and there is no epsilon.
   Real distance(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
     using std::copysign;
+    using std::max;
     using std::sqrt;
+    const Line line = seen_from(origin, direction, leaving);
+    // k t^2 / 2 + slope t + level = 0, each root from the form that does not cancel: q/k is the one ahead from inside, or
+    // from the sphere itself, where q is positive, and 2 level / q otherwise. A negative discriminant, or 0/0 on a tangent
+    // or a plane, makes a NaN, which no comparison takes for a hit.
+    const Real root = sqrt(line.slope * line.slope - curvature * line.twice_level);
+    const Real q = -(line.slope + copysign(root, line.slope));
+    const Mask<Real> across = max(line.twice_level, -q) <= Real(0);
+    const Real t = select(across, q, line.twice_level) / select(across, curvature, q);
+    return select(t > Real(0), t, Real(infinity<Real>));
+  }
+
+  /// Positive where the sphere stands on the ray closer than `reach` [m], without a root and with one comparison for all
+  /// spheres together: it is passed once when the levels at the two ends are of opposite signs, and twice when both are positive but
+  /// the ray's nearest point to the centre, where the slope changes its sign, is between them and not outside. Where the
+  /// origin is on the sphere its side is that of the slope.
+  Real obstruction(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving,
+                   Real reach) const {
+    using std::max;
+    using std::min;
+    const Line line = seen_from(origin, direction, leaving);
+    const Real slope_at_end = line.slope + curvature * reach;
+    const Real at_end = (slope_at_end + line.slope) * reach + line.twice_level;
+    const Real at_start = select(leaving, line.slope, line.twice_level);
+    const Real depth_between = line.slope * line.slope - curvature * line.twice_level;
+    const Real turns = -line.slope * slope_at_end;
+    return max(Real(-at_start * at_end), min(at_start, min(depth_between, turns)));
+  }
+
+ private:
+  /// Along a ray, twice the level is twice_level + 2 slope t + k t^2.
+  struct Line {
+    Real twice_level, slope;
+  };
+
+  Line seen_from(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
     const Vec3<Real> y = origin - anchor;
     const Vec3<Real> gradient = normal + curvature * y;
-    const Real level = select(leaving, Real(0), Real(Real(0.5) * curvature * y.squaredNorm() + normal.dot(y)));
-    const Real slope = gradient.dot(direction);
-    // k t^2 / 2 + slope t + level = 0, each root from the form that does not cancel. A negative discriminant, or
-    // 0/0 on a tangent or a plane, makes a NaN, which no comparison takes for a hit.
-    const Real root = sqrt(slope * slope - Real(2) * curvature * level);
-    const Real q = -(slope + copysign(root, slope));
-    const Real far = q / curvature;
-    const Real near = Real(2) * level / q;
-    Real nearest = select(far > Real(0), far, infinity<Real>);
-    nearest = select((near > Real(0)) & (near < nearest), near, nearest);
-    return nearest;
+    return {select(leaving, Real(0), Real(y.dot(normal + gradient))), gradient.dot(direction)};
   }
+
+  Real twice_level(const Vec3<Real>& y) const { return y.dot(normal + normal + curvature * y); }
 };
 
 }  // namespace fairlight

@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -67,24 +68,40 @@ Quantised quantise(double x) {
 
 // A float is significand * 2^(exponent - 150), its significand below 2^24. Those of one exponent are summed as whole numbers, which
 // 2^16 squares cannot overflow.
-struct FloatsByExponent {
+class FloatsByExponent {
+ public:
   static constexpr std::size_t most = 1 << 16;
-  static constexpr std::uint32_t beyond = (127 + 64) << 23;  // the bits of 2^64; those of negative numbers are more
   static constexpr std::uint32_t whole =
       150 + unit_exponent;  // from this exponent on all are multiples of the unit
 
+  // Floats of these exponents, or zeros.
+  FloatsByExponent(std::span<const float> draws, std::uint32_t lowest, std::uint32_t highest)
+      : lowest_(lowest), highest_(highest) {
+    std::fill(sums_.begin() + lowest, sums_.begin() + highest + 1, Sums{0, 0});
+    for (float x : draws) add(std::bit_cast<std::uint32_t>(x));
+  }
+
+  // use(significands, squares, exponent over `whole`) for each exponent.
+  void each(const auto& use) const {
+    for (std::uint32_t e = lowest_; e <= highest_; ++e) {
+      if (sums_[e].squares != 0) use(sums_[e].significands, sums_[e].squares, static_cast<int>(e - whole));
+    }
+  }
+
+ private:
   struct Sums {
     std::uint64_t significands, squares;
   };
-  static constexpr std::size_t exponents = beyond >> 23;
-  std::array<Sums, exponents> sums{};
 
   void add(std::uint32_t bits) {
-    const std::uint64_t significand = (bits & 0x7FFFFF) | 0x800000;
-    Sums& of_exponent = sums[bits >> 23];
+    const std::uint64_t significand = bits == 0 ? 0 : (bits & 0x7FFFFF) | 0x800000;
+    Sums& of_exponent = sums_[std::max(bits >> 23, lowest_)];
     of_exponent.significands += significand;
     of_exponent.squares += significand * significand;
   }
+
+  std::uint32_t lowest_, highest_;
+  std::array<Sums, 256> sums_;
 };
 
 cpp_int integer(std::span<const std::uint64_t> words) {
@@ -114,29 +131,28 @@ void ExactMoments::add(std::span<const double> draws) {
 }
 
 void ExactMoments::add(std::span<const float> draws) {
+  for (; draws.size() > FloatsByExponent::most; draws = draws.subspan(FloatsByExponent::most)) {
+    add(draws.first(FloatsByExponent::most));
+  }
+  std::uint32_t largest = 0;
+  std::uint32_t least_but_zero = 0xFFFFFFFF;  // less one
   for (float x : draws) {
-    if (!(x >= 0 && x < 0x1p64f)) refuse(static_cast<double>(x));
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    largest = std::max(largest, bits);
+    least_but_zero = std::min(least_but_zero, bits - 1);
   }
+  const std::uint32_t lowest = (least_but_zero + 1) >> 23;
+  if (largest >= std::bit_cast<std::uint32_t>(0x1p64f) || lowest < FloatsByExponent::whole) {
+    const std::vector<double> one_by_one(draws.begin(), draws.end());  // some are refused, all zero, or rounded
+    return add(std::span<const double>(one_by_one));
+  }
+  const std::span<std::uint64_t> all(words_);
   bool over = false;
-  for (; !draws.empty(); draws = draws.subspan(std::min(draws.size(), FloatsByExponent::most))) {
-    FloatsByExponent bins;
-    for (float x : draws.first(std::min(draws.size(), FloatsByExponent::most))) {
-      const auto bits = std::bit_cast<std::uint32_t>(x);
-      if (bits >> 23 < FloatsByExponent::whole || x == 0) {
-        add(static_cast<double>(x));
-      } else {
-        bins.add(bits);
-        ++words_[0];
-      }
-    }
-    const std::span<std::uint64_t> all(words_);
-    for (std::size_t e = FloatsByExponent::whole; e < bins.sums.size(); ++e) {
-      if (bins.sums[e].squares == 0) continue;
-      const int shift = static_cast<int>(e - FloatsByExponent::whole);
-      over = add_shifted(all.subspan(sum_begin, 3), bins.sums[e].significands, shift) || over;
-      over = add_shifted(all.subspan(squares_begin, 6), bins.sums[e].squares, 2 * shift) || over;
-    }
-  }
+  FloatsByExponent(draws, lowest, largest >> 23).each([&](std::uint64_t sum, std::uint64_t squares, int exponent) {
+    over = add_shifted(all.subspan(sum_begin, 3), sum, exponent) || over;
+    over = add_shifted(all.subspan(squares_begin, 6), squares, 2 * exponent) || over;
+  });
+  words_[0] += draws.size();
   if (over) refuse_sum();
 }
 

@@ -27,7 +27,8 @@ class ExactMoments {
   /// Throws std::overflow_error when the sum reaches 2^96.
   void add(double x);
 
-  /// As if each of the draws were added alone, in a few cycles each. Throws as they would; nothing is then added.
+  /// As if each of the draws were added alone, in a few cycles each. Throws as they would; of each 2^16
+  /// all or none are then added.
   void add(std::span<const float> draws);
   void add(std::span<const double> draws);
 

@@ -82,11 +82,17 @@ Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& point
           }};
 }
 
+/// From independent numbers, in double and in packets.
+template <class Draw>
+void add_independent_mean(std::vector<Claim>& claims, const Experiment<Draw>& e) {
+  claims.push_back(mean_claim<double>(e));
+  claims.push_back(mean_claim<Packet>(e));
+}
+
 /// From independent numbers, in double and in packets; and from the points of every set.
 template <class Draw>
 void add_mean(std::vector<Claim>& claims, const Experiment<Draw>& e) {
-  claims.push_back(mean_claim<double>(e));
-  claims.push_back(mean_claim<Packet>(e));
+  add_independent_mean(claims, e);
   claims.push_back(replicates_claim(e, sobol_points));
   claims.push_back(replicates_claim(e, stratified_points));
   claims.push_back(replicates_claim(e, latin_points));

@@ -9,17 +9,28 @@ namespace fairlight {
 namespace {
 
 using testing::ScriptedSource;
-using Bsdf = SurfaceBsdf<double, CosineHemisphere>;
 
 const Rgb<double> black(0, 0, 0);
 const Rgb<double> half(0.5, 0.5, 0.5);
 const Rgb<double> lit(3, 3, 3);
 
-// The floor's point (0, 0, 0), seen from above, under a light of radius 1 whose centre is 5 above.
+// A point of surface 0 whose normal is +y, seen from above.
+template <class Direct>
+Rgb<double> reflected(const Direct& direct, const Scene& scene, const Vec3<double>& position,
+                      ScriptedSource& source) {
+  const TracedScene<double> traced(scene);
+  const Vec3<double> up(0, 1, 0);
+  const SurfaceBsdf<double> bsdf(traced.materials(), 0, up, up);
+  return direct.template estimate<double>(traced, {position, up, 0}, bsdf, source);
+}
+
+// The floor's point (0, 0, 0) under a light of radius 1 whose centre is 5 above.
 struct Floor {
   Scene scene;
-  Vertex<double> vertex{{0, 0, 0}, {0, 1, 0}, 0};
-  Bsdf bsdf{half, {0, 1, 0}, {0, 1, 0}};
+  template <class Direct>
+  Rgb<double> reflected(const Direct& direct, ScriptedSource& source) const {
+    return fairlight::reflected(direct, scene, {0, 0, 0}, source);
+  }
   Floor() {
     scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
     scene.add_sphere({0, 5, 0}, 1, black, lit);
@@ -30,40 +41,37 @@ struct Floor {
 TEST(DirectLight, IsEmissionTimesReflectanceTimesAreaOverDistanceSquared) {
   const Floor floor;
   ScriptedSource source({0, 0});
-  const Rgb<double> radiance = DirectLight<AllOf>().estimate(floor.scene, floor.vertex, floor.bsdf, source);
+  const Rgb<double> radiance = floor.reflected(DirectLight<AllOf>(), source);
   EXPECT_NEAR(radiance[0], 3 * (0.5 / M_PI) * (4 * M_PI) / 16, 1e-14);
 }
 
 TEST(DirectLight, IsZeroFromTheFarSideOfTheLight) {
   const Floor floor;
   ScriptedSource source({0.9, 0.25});
-  EXPECT_TRUE((DirectLight<AllOf>().estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
+  EXPECT_TRUE((floor.reflected(DirectLight<AllOf>(), source) == 0).all());
 }
 
 TEST(DirectLight, IsZeroInAShadow) {
   Floor floor;
   floor.scene.add_sphere({0, 2, 0}, 0.5, half, black);
   ScriptedSource source({0, 0});
-  EXPECT_TRUE((DirectLight<AllOf>().estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
+  EXPECT_TRUE((floor.reflected(DirectLight<AllOf>(), source) == 0).all());
 }
 
 TEST(DirectLight, IsZeroWhereNothingEmits) {
   Scene dark;
   dark.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
   ScriptedSource none({});
-  const Floor floor;
-  EXPECT_TRUE((DirectLight<OneOf>().estimate(dark, floor.vertex, floor.bsdf, none) == 0).all());
+  EXPECT_TRUE((reflected(DirectLight<OneOf>(), dark, {0, 0, 0}, none) == 0).all());
 }
 
 // Inside a sphere that emits, cos cos / d^2 = 1 / (4 r^2) for every pair of points, so every draw is rho Le.
 TEST(DirectLight, SeesTheLuminaireThatItIsInside) {
   Scene furnace;
   furnace.add_sphere({0, 0, 0}, 2, half, lit);
-  const Vertex<double> vertex{{0, -2, 0}, {0, 1, 0}, 0};
   for (double u : {0.1, 0.4, 0.9}) {
     ScriptedSource source({u, 0.3});
-    const Rgb<double> radiance =
-        DirectLight<AllOf>().estimate(furnace, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source);
+    const Rgb<double> radiance = reflected(DirectLight<AllOf>(), furnace, {0, -2, 0}, source);
     EXPECT_NEAR(radiance[0], 0.5 * 3, 1e-14) << u;
   }
 }
@@ -72,10 +80,9 @@ TEST(DirectLight, SeesTheLuminaireThatItIsInside) {
 TEST(DirectLight, SeesTheLuminaireThatItIsInsideByTheCone) {
   Scene furnace;
   furnace.add_sphere({0, 0, 0}, 2, half, lit);
-  const Vertex<double> vertex{{0, -2, 0}, {0, 1, 0}, 0};
   ScriptedSource source({0.25, 0.3});
-  const DirectLight<AllOf, SphereByCone> direct;
-  const Rgb<double> radiance = direct.estimate(furnace, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source);
+  const DirectLight<AllOf, PointsBy<SphereByCone>> direct;
+  const Rgb<double> radiance = reflected(direct, furnace, {0, -2, 0}, source);
   EXPECT_NEAR(radiance[0], 0.5 * 3 * 2 * 0.75, 1e-14);
 }
 
@@ -84,27 +91,37 @@ TEST(DirectLight, SeesTheLuminaireThatItIsInsideByTheCone) {
 TEST(DirectLight, ChoosesALightByItsPower) {
   Floor floor;
   floor.scene.add_sphere({0, -5, 0}, 1, black, 3 * lit);
-  const DirectLight<OneBy<PowerChoice<double>>, SphereByCone> direct(one_by_power(floor.scene));
+  const DirectLight<OneBy<PowerChoice<double>>, PointsBy<SphereByCone>> direct(one_by_power(floor.scene));
   ScriptedSource above({0.24, 0, 0, 0});
   const double cone = 2 * M_PI * (1 - std::sqrt(24) / 5);
-  EXPECT_NEAR(direct.estimate(floor.scene, floor.vertex, floor.bsdf, above)[0], 3 * 0.5 / M_PI * cone / 0.25,
-              1e-14);
+  EXPECT_NEAR(floor.reflected(direct, above)[0], 3 * 0.5 / M_PI * cone / 0.25, 1e-14);
   ScriptedSource below({0.26, 0, 0, 0});
-  EXPECT_EQ(direct.estimate(floor.scene, floor.vertex, floor.bsdf, below)[0], 0);
+  EXPECT_EQ(floor.reflected(direct, below)[0], 0);
 }
 
 TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
   Scene alone;
   alone.add_sphere({0, 0, 0}, 2, half, lit);
-  const Vertex<double> vertex{{0, 2, 0}, {0, 1, 0}, 0};
   ScriptedSource source({0.5, 0.3});
-  EXPECT_TRUE((DirectLight<AllOf>().estimate(alone, vertex, Bsdf(half, {0, 1, 0}, {0, 1, 0}), source) == 0).all());
+  EXPECT_TRUE((reflected(DirectLight<AllOf>(), alone, {0, 2, 0}, source) == 0).all());
 }
 
-TEST(CountsEmission, OnlyWhereNoShadowRayHasCountedIt) {
-  EXPECT_TRUE(DirectLight<AllOf>::counts_emission(0));
-  EXPECT_FALSE(DirectLight<AllOf>::counts_emission(1));
-  EXPECT_TRUE(NoDirectLight::counts_emission(5));
+// The camera and single directions have no density; light that a bounce finds else has been found by a shadow ray.
+TEST(DirectLight, CountsEmissionOnlyWhereNoShadowRayHas) {
+  const TracedScene<double> scene((Scene()));
+  const Ray<double> ray{{0, 0, 0}, {0, 0, 1}, -1};
+  EXPECT_EQ(DirectLight<AllOf>::emission_weight(scene, ray, 0.0, 0.0), 1);
+  EXPECT_EQ(DirectLight<AllOf>::emission_weight(scene, ray, 0.0, 0.3), 0);
+  EXPECT_EQ(NoDirectLight::emission_weight(scene, ray, 0.0, 0.3), 1);
+}
+
+// A rectangle of area 2 that faces the floor's point from 4 above: f Le A / 16 from its middle, both cosines 1.
+TEST(DirectLight, OfARectangle) {
+  Scene scene;
+  scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
+  scene.add_rectangle({-0.5, 4, -1}, {1, 0, 0}, {0, 0, 2}, black, lit);
+  ScriptedSource source({0.5, 0.5});
+  EXPECT_NEAR(reflected(DirectLight<AllOf>(), scene, {0, 0, 0}, source)[0], 3 * (0.5 / M_PI) * 2 / 16, 1e-14);
 }
 
 }  // namespace

@@ -9,17 +9,17 @@ namespace fairlight {
 namespace {
 
 using testing::ScriptedSource;
-using Bouncing = PathTracer<CosineHemisphere, NoDirectLight, NoRoulette>;
-using Lighting = PathTracer<CosineHemisphere, DirectLight<AllOf>, NoRoulette>;
-using Gambling = PathTracer<CosineHemisphere, NoDirectLight, RouletteByReflectance<>>;
+using Bouncing = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, NoRoulette>;
+using Lighting = PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllOf>, NoRoulette>;
+using Gambling = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>>;
 
 const Rgb<double> emitted(1, 2, 4);
 const Rgb<double> albedo(0.5, 0.25, 0.125);
 
-Scene furnace() {
+TracedScene<double> furnace() {
   Scene scene;
   scene.add_sphere({0, 0, 0}, 1, albedo, emitted);
-  return scene;
+  return TracedScene<double>(scene);
 }
 
 const Ray<double> ray{{0.1, 0.2, 0.3}, {0, 0, 1}, -1};
@@ -57,7 +57,7 @@ TEST(PathTracer, PaysSurvivorsOfRoulette) {
 }
 
 TEST(PathTracer, TellsRouletteWhatAPathCarriesAndHowDeepItIs) {
-  using Later = PathTracer<CosineHemisphere, NoDirectLight, RouletteByThroughput<1>>;
+  using Later = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByThroughput<1>>;
   // A bounce without roulette, to a throughput of 1/2, 1/4, 1/8; survives 0.4, bounces, and dies at 0.51.
   ScriptedSource source({0.3, 0.7, 0.4, 0.3, 0.7, 0.51});
   const Rgb<double> radiance = Later().radiance(furnace(), ray, source);
@@ -67,14 +67,14 @@ TEST(PathTracer, TellsRouletteWhatAPathCarriesAndHowDeepItIs) {
 
 TEST(PathTracer, SeesNothingWhereThereIsNothing) {
   ScriptedSource none({});
-  EXPECT_TRUE((Bouncing(3).radiance(Scene(), ray, none) == 0).all());
+  EXPECT_TRUE((Bouncing(3).radiance(TracedScene<double>(Scene()), ray, none) == 0).all());
 }
 
 TEST(PathTracer, EndsAPathThatCarriesNothing) {
   Scene black;
   black.add_sphere({0, 0, 0}, 1, Rgb<double>::Zero(), emitted);
   ScriptedSource one_bounce({0.4, 0.4});
-  EXPECT_TRUE((Bouncing().radiance(black, ray, one_bounce) == emitted).all());
+  EXPECT_TRUE((Bouncing().radiance(TracedScene<double>(black), ray, one_bounce) == emitted).all());
 }
 
 TEST(PathTracer, RefusesANegativeDepth) { EXPECT_THROW(Bouncing(-2), std::invalid_argument); }

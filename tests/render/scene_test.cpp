@@ -20,29 +20,23 @@ Scene two_spheres() {
   return scene;
 }
 
-TEST(Scene, FindsTheNearestSurface) {
-  const auto hit = two_spheres().intersect<double>({{-3, 0, 0}, {1, 0, 0}, -1});
-  EXPECT_EQ(hit.surface, 0);
-  EXPECT_DOUBLE_EQ(hit.distance, 2);
-}
-
-TEST(Scene, FindsNothingWhereThereIsNothing) {
-  EXPECT_EQ(two_spheres().intersect<double>({{-3, 0, 0}, {-1, 0, 0}, -1}).surface, -1);
-}
-
-TEST(Scene, HidesTheSecondSphereBehindTheFirst) {
-  const Scene scene = two_spheres();
-  EXPECT_FALSE(scene.visible<double>({{-3, 0, 0}, {1, 0, 0}, -1}, 7, 1));
-  EXPECT_TRUE(scene.visible<double>({{5, 5, 0}, {0, -1, 0}, -1}, 4, 1));
-  EXPECT_TRUE(scene.visible<double>({{1, 0, 0}, {1, 0, 0}, 0}, 3, 1)) << "leaving the first sphere";
-}
-
 TEST(Scene, KnowsWhatEmits) {
   const Scene scene = two_spheres();
   ASSERT_EQ(scene.luminaires().size(), 1u);
   EXPECT_EQ(scene.luminaires()[0].surface, 1);
   EXPECT_EQ(scene.luminaires()[0].centre, Vec3<double>(5, 0, 0));
   EXPECT_EQ(scene.luminaires()[0].radius, 1);
+}
+
+TEST(Scene, KnowsARectangleThatEmits) {
+  Scene scene;
+  scene.add_rectangle({1, 2, 3}, {4, 0, 0}, {0, 0, 3}, grey, Rgb<double>(3, 6, 0));
+  ASSERT_EQ(scene.luminaires().size(), 1u);
+  const Luminaire& light = scene.luminaires()[0];
+  EXPECT_TRUE(light.is_rectangle);
+  EXPECT_EQ(light.centre, Vec3<double>(3, 2, 4.5));
+  EXPECT_DOUBLE_EQ(light.radius, 2.5);
+  EXPECT_DOUBLE_EQ(power_of(light), M_PI * 12 * 3);
 }
 
 TEST(Scene, RefusesImpossibleSurfaces) {
@@ -56,6 +50,14 @@ TEST(Scene, RefusesImpossibleSurfaces) {
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, grey, Rgb<double>(0, -1, 0)), std::invalid_argument);
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, grey, Rgb<double>(0, inf, 0)), std::invalid_argument);
   EXPECT_THROW(scene.add_wall({0, 0, 0}, {0, 2, 0}, 1e5, grey, none), std::invalid_argument);
+  const Rgb<double> one(1, 1, 1);
+  EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, {Material::Kind::gloss, one, -1}, none), std::invalid_argument);
+  EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, {Material::Kind::metal, one, 2}, none), std::invalid_argument);
+  EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, {Material::Kind::glass, one, 0}, none), std::invalid_argument);
+  EXPECT_THROW(scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, grey, none), std::invalid_argument);
+  EXPECT_THROW(scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {0, 0, 0}, grey, none), std::invalid_argument);
+  const Material glass(Material::Kind::glass, one, 1.5);
+  EXPECT_THROW(scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, glass, none), std::invalid_argument);
   EXPECT_TRUE(scene.surfaces().empty());
 }
 

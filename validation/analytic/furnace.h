@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <fairlight/render/path_tracer.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/radiance.h>
 
 namespace fairlight {
 
@@ -33,31 +32,25 @@ struct Furnace {
 /// q a path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 60 leaves 2e-9. With shadow
 /// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger.
 template <class Tracer>
-Claim furnace_claim(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1) {
-  return {name,
-          "mean",
-          std::move(subjects),
-          "inside a closed sphere the radiance is Le / (1 - rho), per channel",
-          "geometric series of the transport operator",
-          margin_factor,
-          [](const Trial& trial) {
-            const Furnace furnace;
-            const double q = furnace.albedo.maxCoeff();
-            std::vector<Reference> references;
-            for (int c = 0; c < 3; ++c) {
-              constexpr int vertices = 60;
-              const double le = furnace.radiance[c];
-              const double ratio = furnace.albedo[c] / q;
-              const bool endless = ratio == 1;
-              const double upper = endless ? le * vertices : le / (1 - ratio) * (1 + 1e-9);
-              references.push_back(
-                  {furnace.reference(c, -1), 0, upper, endless ? le * std::pow(q, vertices) / (1 - q) : 0});
-            }
-            const Tracer tracer;
-            return check_mean(trial, references, [&](auto& source) {
-              return tracer.template radiance<double>(furnace.scene, furnace.ray, source);
-            });
-          }};
+auto furnace_radiance(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1) {
+  const Furnace furnace;
+  const double q = furnace.albedo.maxCoeff();
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    constexpr int vertices = 60;
+    const double le = furnace.radiance[c];
+    const double ratio = furnace.albedo[c] / q;
+    const bool endless = ratio == 1;
+    const double upper = endless ? le * vertices : le / (1 - ratio) * (1 + 1e-9);
+    references.push_back({furnace.reference(c, -1), 0, upper, endless ? le * std::pow(q, vertices) / (1 - q) : 0});
+  }
+  return Experiment{name,
+                    std::move(subjects),
+                    "inside a closed sphere the radiance is Le / (1 - rho), per channel",
+                    "geometric series of the transport operator",
+                    margin_factor,
+                    references,
+                    RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
 }
 
 inline Furnace furnace_with_another() {
@@ -75,62 +68,52 @@ inline Furnace furnace_with_another() {
 /// 4 rho Le from a sphere that the vertex is inside and 2 rho Le from its own or another: 8 rho Le at most from one of two chosen
 /// uniformly; and less by power, 1 to 49, as the smaller fills at most 0.02 of all directions as seen from the larger.
 /// Roulette as in furnace_claim; K = 60.
-template <class Tracer>
-Claim two_spheres_claim(const std::string& name, std::vector<std::string> subjects, double largest = 24.5,
-                        const Tracer& tracer = Tracer()) {
-  return {name,
-          "mean",
-          std::move(subjects),
-          "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - rho), per "
-          "channel",
-          "geometric series of the transport operator",
-          3,
-          [=](const Trial& trial) {
-            const Furnace furnace = furnace_with_another();
-            const double q = furnace.albedo.maxCoeff();
-            std::vector<Reference> references;
-            for (int c = 0; c < 3; ++c) {
-              constexpr int vertices = 60;
-              const double le = furnace.radiance[c];
-              const double term = largest * furnace.albedo[c] * le;
-              const double ratio = furnace.albedo[c] / q;
-              const bool endless = ratio == 1;
-              const double upper = le + (endless ? term * vertices : term / (1 - ratio) * (1 + 1e-9));
-              references.push_back(
-                  {furnace.reference(c, -1), 0, upper, endless ? term * std::pow(q, vertices) / (1 - q) : 0});
-            }
-            return check_mean(trial, references, [&](auto& source) {
-              return tracer.template radiance<double>(furnace.scene, furnace.ray, source);
-            });
-          }};
+template <class Make>
+auto two_spheres(const std::string& name, std::vector<std::string> subjects, double largest, const Make& make) {
+  const Furnace furnace = furnace_with_another();
+  const double q = furnace.albedo.maxCoeff();
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    constexpr int vertices = 60;
+    const double le = furnace.radiance[c];
+    const double term = largest * furnace.albedo[c] * le;
+    const double ratio = furnace.albedo[c] / q;
+    const bool endless = ratio == 1;
+    const double upper = le + (endless ? term * vertices : term / (1 - ratio) * (1 + 1e-9));
+    references.push_back(
+        {furnace.reference(c, -1), 0, upper, endless ? term * std::pow(q, vertices) / (1 - q) : 0});
+  }
+  return Experiment{name,
+                    std::move(subjects),
+                    "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
+                    "rho), per channel",
+                    "geometric series of the transport operator",
+                    3,
+                    references,
+                    RadianceAlong(furnace.scene, furnace.ray, make)};
 }
 
 /// Paths of at most `depth` bounces against the partial sum.
 /// Bound: a bounce multiplies the throughput by at most `largest_weight` rho / q, and a shadow ray brings at most
 /// `largest_weight` rho Le; q is 1 without roulette.
 template <class Tracer>
-Claim furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
-                          double largest_weight) {
-  return {name,
-          "mean",
-          std::move(subjects),
-          "inside a closed sphere the terms up to depth " + std::to_string(depth) + " sum to Le (1 - rho^" +
-              std::to_string(depth + 1) + ") / (1 - rho), per channel",
-          "geometric series of the transport operator",
-          1,
-          [=](const Trial& trial) {
-            const Furnace furnace;
-            std::vector<Reference> references;
-            for (int c = 0; c < 3; ++c) {
-              double upper = 0;
-              for (int k = 0; k <= depth; ++k) upper += std::pow(largest_weight * furnace.albedo[c], k);
-              references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
-            }
-            const Tracer tracer(depth);
-            return check_mean(trial, references, [&](auto& source) {
-              return tracer.template radiance<double>(furnace.scene, furnace.ray, source);
-            });
-          }};
+auto furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
+                         double largest_weight) {
+  const Furnace furnace;
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    double upper = 0;
+    for (int k = 0; k <= depth; ++k) upper += std::pow(largest_weight * furnace.albedo[c], k);
+    references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
+  }
+  return Experiment{name,
+                    std::move(subjects),
+                    "inside a closed sphere the terms up to depth " + std::to_string(depth) +
+                        " sum to Le (1 - rho^" + std::to_string(depth + 1) + ") / (1 - rho), per channel",
+                    "geometric series of the transport operator",
+                    1,
+                    references,
+                    RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
 }
 
 }  // namespace fairlight

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include <fairlight/estimators/choose_light.h>
+#include <fairlight/estimators/table.h>
 #include <fairlight/validation/experiment.h>
 
 namespace fairlight {
@@ -34,19 +35,6 @@ struct ManyLights {
     }
     return largest * power();
   }
-};
-
-/// A table of numbers, by the index of each lane.
-template <class Real>
-class Table {
- public:
-  explicit Table(const std::vector<double>& numbers) {
-    for (double x : numbers) numbers_.push_back(static_cast<Lane<Real>>(x));
-  }
-  Real operator()(const Index<Real>& i) const { return gather(numbers_.data(), i); }
-
- private:
-  std::vector<Lane<Real>> numbers_;
 };
 
 /// The sum of the terms, by `make(type_identity<Real>)`, which gives what sums them; it is made once. The bound is twice the

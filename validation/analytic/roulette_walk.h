@@ -31,7 +31,8 @@ auto roulette_walk(const std::string& name, const std::string& subject, int firs
     Rgb<Real> throughput = Rgb<Real>::Ones();
     for (int depth = 0; any(max_channel(throughput) > Real(0)); ++depth) {
       sum += throughput;
-      const auto [alive, weight] = Roulette::template play<Real>(reflectance, throughput, depth, source);
+      const auto [alive, weight] =
+          Roulette::template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
       const auto bounce = surface.sample(out, next_pair<Real>(source));
       throughput = select(alive, Rgb<Real>(throughput * bounce.weight * weight), zero<Rgb<Real>>());
     }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <fairlight/render/path_tracer.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/radiance.h>
 
 namespace fairlight {
 
@@ -81,24 +80,25 @@ inline SpheresOverPlane two_lights() {
   return SpheresOverPlane({{{3, 5, 2}, 1.5, {1, 4, 2}}, {{-2, 4, -1.5}, 0.6, {12, 8, 20}}});
 }
 
-/// The floor's radiance through a path of one bounce, by `tracer`. `bound` gives the largest draw of a channel.
+/// The floor's radiance through a path of one bounce, by the tracers that `make` gives. `bound` gives the largest draw of a channel.
+template <class Make, class Bound>
+auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,
+                    double margin_factor, const Bound& bound, const Make& make) {
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) references.push_back({floor.reference(c), 0, bound(floor, c) * (1 + 1e-9)});
+  return Experiment{name,
+                    std::move(subjects),
+                    "under " + std::to_string(floor.lights.size()) +
+                        " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
+                    "projected solid angle of a cone; Snyder 1996",
+                    margin_factor,
+                    references,
+                    RadianceAlong(floor.scene, floor.ray, make)};
+}
 template <class Tracer, class Bound>
-Claim floor_claim(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& scene,
-                  double margin_factor, const Bound& bound, const Tracer& tracer = Tracer(1)) {
-  return {name,
-          "mean",
-          std::move(subjects),
-          "under " + std::to_string(scene.lights.size()) +
-              " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
-          "projected solid angle of a cone; Snyder 1996",
-          margin_factor,
-          [=](const Trial& trial) {
-            std::vector<Reference> references;
-            for (int c = 0; c < 3; ++c) references.push_back({scene.reference(c), 0, bound(scene, c) * (1 + 1e-9)});
-            return check_mean(trial, references, [&](auto& source) {
-              return tracer.template radiance<double>(scene.scene, scene.ray, source);
-            });
-          }};
+auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,
+                    double margin_factor, const Bound& bound) {
+  return floor_radiance(name, std::move(subjects), floor, margin_factor, bound, always(Tracer(1)));
 }
 
 }  // namespace fairlight

@@ -14,8 +14,10 @@ void add_roulette(std::vector<Claim>& claims) {
                                                                             "RouletteByThroughput", 0));
   add_mean(claims, roulette_walk<RouletteByThroughput<1>, UniformHemisphere>("roulette.walk.throughput_later",
                                                                              "RouletteByThroughput", 1));
-  claims.push_back(furnace_claim<PathTracer<CosineHemisphere, NoDirectLight, RouletteByThroughput<>>>(
-      "furnace.throughput", {"PathTracer", "NoDirectLight", "RouletteByThroughput"}, 2));
+  using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByThroughput<>>;
+  add_independent_mean(
+      claims,
+      furnace_radiance<Tracer>("furnace.throughput", {"PathTracer", "NoDirectLight", "RouletteByThroughput"}, 2));
 }
 
 void add_mis(std::vector<Claim>& claims) {

@@ -8,35 +8,45 @@ namespace fairlight {
 namespace {
 
 template <class Direct, class Roulette, template <class> class Directions = CosineHemisphere>
-using Tracer = PathTracer<Directions, Direct, Roulette>;
+using Tracer = PathTracer<BouncesBy<Directions>, Direct, Roulette>;
+using ByCone = PointsBy<SphereByCone>;
 using All = DirectLight<AllOf>;
 using One = DirectLight<OneOf>;
-using AllVisible = DirectLight<AllOf, SphereByVisibleHemisphere>;
-using AllByCone = DirectLight<AllOf, SphereByCone>;
-using OneByCone = DirectLight<OneOf, SphereByCone>;
-using PowerByCone = DirectLight<OneBy<PowerChoice<double>>, SphereByCone>;
+using AllVisible = DirectLight<AllOf, PointsBy<SphereByVisibleHemisphere>>;
+using AllByCone = DirectLight<AllOf, ByCone>;
+using OneByCone = DirectLight<OneOf, ByCone>;
+using ContributionByCone = DirectLight<OneByContribution, ByCone>;
 using Roulette = RouletteByReflectance<>;
 
+// One luminaire by its power, which is tabulated for a Real.
+template <class Roulette>
+auto by_power(const Scene& scene, int max_depth) {
+  return [=]<class Real>(std::type_identity<Real>) {
+    using Direct = DirectLight<OneBy<PowerChoice<Real>>, ByCone>;
+    return Tracer<Direct, Roulette>(max_depth, Direct(one_by_power<Real>(scene)));
+  };
+}
+
 void add_furnaces(std::vector<Claim>& claims) {
-  claims.push_back(furnace_claim<Tracer<NoDirectLight, Roulette>>(
-      "furnace.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
-  claims.push_back(furnace_claim<Tracer<All, Roulette>>("furnace.light",
-                                                        {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
-  claims.push_back(two_spheres_claim<Tracer<All, Roulette>>(
-      "furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}));
-  claims.push_back(two_spheres_claim<Tracer<One, Roulette>>(
-      "furnace.two_spheres.one", {"PathTracer", "DirectLight", "OneOf", "RouletteByReflectance"}));
-  claims.push_back(two_spheres_claim<Tracer<AllByCone, Roulette>>(
-      "furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllOf", "SphereByCone"}, 8));
-  const OneBy by_power = one_by_power(furnace_with_another().scene);
-  claims.push_back(two_spheres_claim("furnace.two_spheres.power",
-                                     {"PathTracer", "DirectLight", "OneBy", "PowerChoice", "SphereByCone"}, 8,
-                                     Tracer<PowerByCone, Roulette>(-1, PowerByCone(by_power))));
-  claims.push_back(furnace_partial_sum<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
+  const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
+  add(furnace_radiance<Tracer<NoDirectLight, Roulette>>("furnace.bounce",
+                                                        {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
+  add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
+                                              {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
+  add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 24.5,
+                  always(Tracer<All, Roulette>())));
+  add(two_spheres("furnace.two_spheres.one", {"PathTracer", "DirectLight", "OneOf", "RouletteByReflectance"}, 24.5,
+                  always(Tracer<One, Roulette>())));
+  add(two_spheres("furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllOf", "SphereByCone"}, 8,
+                  always(Tracer<AllByCone, Roulette>())));
+  add(two_spheres("furnace.two_spheres.power",
+                  {"PathTracer", "DirectLight", "OneBy", "PowerChoice", "SphereByCone"}, 8,
+                  by_power<Roulette>(furnace_with_another().scene, -1)));
+  add(furnace_partial_sum<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
       "furnace.depth3.uniform", {"PathTracer", "NoRoulette", "UniformHemisphere"}, 3, 2));
-  claims.push_back(furnace_partial_sum<Tracer<All, NoRoulette, UniformHemisphere>>(
+  add(furnace_partial_sum<Tracer<All, NoRoulette, UniformHemisphere>>(
       "furnace.depth3.light", {"PathTracer", "NoRoulette", "DirectLight"}, 3, 2));
-  claims.push_back(furnace_partial_sum<Tracer<AllByCone, NoRoulette>>(
+  add(furnace_partial_sum<Tracer<AllByCone, NoRoulette>>(
       "furnace.depth3.cone", {"PathTracer", "NoRoulette", "DirectLight", "SphereByCone"}, 3, 2));
 }
 
@@ -46,15 +56,16 @@ void add_one_light(std::vector<Claim>& claims) {
   const auto cone_terms = [](const SpheresOverPlane& s, int c) { return s.sum_of_cone_terms(c); };
   const auto cosine_hit = [](const SpheresOverPlane& s, int c) { return s.albedo[c] * s.largest_radiance(c); };
   const auto uniform_hit = [=](const SpheresOverPlane& s, int c) { return 2 * cosine_hit(s, c); };
-  claims.push_back(floor_claim<Tracer<All, NoRoulette>>(
+  const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
+  add(floor_radiance<Tracer<All, NoRoulette>>(
       "sphere_over_plane.light", {"DirectLight", "SphereByArea", "UniformSphereArea"}, one_light(), 2, terms));
-  claims.push_back(floor_claim<Tracer<AllVisible, NoRoulette>>(
+  add(floor_radiance<Tracer<AllVisible, NoRoulette>>(
       "sphere_over_plane.visible", {"DirectLight", "SphereByVisibleHemisphere"}, one_light(), 1, half_terms));
-  claims.push_back(floor_claim<Tracer<AllByCone, NoRoulette>>(
-      "sphere_over_plane.cone", {"DirectLight", "SphereByCone"}, large_light(), 1, cone_terms));
-  claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette>>(
+  add(floor_radiance<Tracer<AllByCone, NoRoulette>>("sphere_over_plane.cone", {"DirectLight", "SphereByCone"},
+                                                    large_light(), 1, cone_terms));
+  add(floor_radiance<Tracer<NoDirectLight, NoRoulette>>(
       "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, large_light(), 2, cosine_hit));
-  claims.push_back(floor_claim<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
+  add(floor_radiance<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
       "sphere_over_plane.uniform", {"NoDirectLight", "UniformHemisphere"}, large_light(), 2, uniform_hit));
 }
 
@@ -77,19 +88,36 @@ void add_two_lights(std::vector<Claim>& claims) {
     }
     return largest;
   };
-  claims.push_back(floor_claim<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllOf"},
-                                                              two_lights(), 1, all_terms));
-  claims.push_back(floor_claim<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "OneOf"},
-                                                              two_lights(), 1, one_term));
-  const OneBy by_power = one_by_power(two_lights().scene);
-  claims.push_back(floor_claim("two_lights.power", {"DirectLight", "OneBy", "PowerChoice"}, two_lights(), 1,
-                               power_term, Tracer<PowerByCone, NoRoulette>(1, PowerByCone(by_power))));
+  // The estimated contribution of a light is in proportion to its power over the square of its distance.
+  const auto contribution_term = [=](const SpheresOverPlane& s, int c) {
+    double largest = 0;
+    for (const auto& light : s.lights) {
+      const auto share = [](const auto& l) {
+        return l.radius * l.radius * l.radiance.sum() / l.centre.squaredNorm();
+      };
+      double total = 0;
+      for (const auto& other : s.lights) total += share(other);
+      largest = std::max(largest, s.largest_cone_term(light, c) / share(light) * total);
+    }
+    return largest;
+  };
+  const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
+  add(floor_radiance<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllOf"}, two_lights(), 1,
+                                                    all_terms));
+  add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "OneOf"}, two_lights(), 1,
+                                                    one_term));
+  add(floor_radiance("two_lights.power", {"DirectLight", "OneBy", "PowerChoice"}, two_lights(), 1, power_term,
+                     by_power<NoRoulette>(two_lights().scene, 1)));
+  add(floor_radiance<Tracer<ContributionByCone, NoRoulette>>(
+      "two_lights.contribution", {"DirectLight", "OneByContribution", "ContributionChoice"}, two_lights(), 1,
+      contribution_term));
 }
 
 void add_agreements(std::vector<Claim>& claims) {
-  claims.push_back(
-      one_against_all<Tracer<OneByCone, NoRoulette>, Tracer<AllByCone, NoRoulette>>("two_lights.one_against_all"));
-  claims.push_back(roulette_on_against_off<Tracer<All, Roulette>, Tracer<All, NoRoulette>>("cornell.roulette"));
+  add_independent_mean(claims, one_against_all<Tracer<OneByCone, NoRoulette>, Tracer<AllByCone, NoRoulette>>(
+                                   "two_lights.one_against_all"));
+  add_independent_mean(claims,
+                       roulette_on_against_off<Tracer<All, Roulette>, Tracer<All, NoRoulette>>("cornell.roulette"));
 }
 
 }  // namespace

@@ -166,10 +166,11 @@ Claim roulette_against_fixed_depth() {
           .source = "geometric series; the paper, 3.2.1",
           .margin_factor = 30,
           .check = [](const Trial& trial) {
-            Furnace furnace;
-            Scene scene;
-            scene.add_sphere({3, -2, 5}, 7, Rgb<double>::Constant(0.5), Rgb<double>::Ones());
-            const PathTracer<CosineHemisphere, NoDirectLight, RouletteByReflectance<>> tracer;
+            const Furnace furnace;
+            Scene grey;
+            grey.add_sphere({3, -2, 5}, 7, Rgb<double>(0.5, 0.5, 0.5), Rgb<double>::Ones());
+            const TracedScene<double> scene(grey);
+            const PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>> tracer;
             const Reference reference{.mean = 1.0 / 32, .lower = 0, .upper = 4, .tail_slack = 1e-10};
             return check_mean(trial, {reference}, [&](auto& source) {
               double sum = 0;

@@ -10,7 +10,7 @@ namespace fairlight {
 namespace {
 
 template <class Direct, class Roulette>
-using Tracer = PathTracer<CosineHemisphere, Direct, Roulette>;
+using Tracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, Roulette>;
 using All = DirectLight<AllOf>;
 using Roulette = RouletteByReflectance<>;
 using Unpaid = RouletteByReflectance<faults::UnpaidRoulette>;
@@ -24,8 +24,8 @@ Fault theta_uniform() {
           {law_claim(sphere_area_law<faults::ThetaUniformSphere>()),
            law_moments_claim(sphere_area_law<faults::ThetaUniformSphere>()),
            law_moments_claim<Packet>(sphere_area_law<faults::ThetaUniformSphere>()),
-           floor_claim<Tracer<DirectLight<AllOf, faults::SphereByTheta>, NoRoulette>>("sphere_over_plane.light", {},
-                                                                                      one_light(), 1, all_terms)}};
+           mean_claim(floor_radiance<Tracer<DirectLight<AllOf, PointsBy<faults::SphereByTheta>>, NoRoulette>>(
+               "sphere_over_plane.light", {}, one_light(), 1, all_terms))}};
 }
 
 Fault unpaid_roulette() {
@@ -34,22 +34,23 @@ Fault unpaid_roulette() {
           "openmc #3511; chunky #1018; Montelight",
           {mean_claim(roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3)),
            mean_claim<Packet>(roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3)),
-           furnace_claim<Tracer<NoDirectLight, Unpaid>>("furnace.bounce", {}),
-           furnace_claim<Tracer<All, Unpaid>>("furnace.light", {}),
-           roulette_on_against_off<Tracer<All, Unpaid>, Tracer<All, NoRoulette>>("cornell.roulette")}};
+           mean_claim(furnace_radiance<Tracer<NoDirectLight, Unpaid>>("furnace.bounce", {})),
+           mean_claim<Packet>(furnace_radiance<Tracer<All, Unpaid>>("furnace.light", {})),
+           mean_claim(roulette_on_against_off<Tracer<All, Unpaid>, Tracer<All, NoRoulette>>("cornell.roulette"))}};
 }
 
 Fault unweighted_light() {
-  using Wrong = Tracer<DirectLight<faults::OneUnweighted, SphereByCone>, NoRoulette>;
-  using Right = Tracer<DirectLight<AllOf, SphereByCone>, NoRoulette>;
-  return {"one-light-unweighted",
-          "luminaire probability",
-          "LuxCore #68",
-          {mean_claim(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
-           mean_claim<Packet>(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
-           floor_claim<Wrong>("two_lights.one", {}, two_lights(), 1,
-                              [](const SpheresOverPlane& s, int c) { return s.sum_of_cone_terms(c); }),
-           one_against_all<Wrong, Right>("two_lights.one_against_all")}};
+  using Wrong = Tracer<DirectLight<faults::OneUnweighted, PointsBy<SphereByCone>>, NoRoulette>;
+  using Right = Tracer<DirectLight<AllOf, PointsBy<SphereByCone>>, NoRoulette>;
+  return {
+      "one-light-unweighted",
+      "luminaire probability",
+      "LuxCore #68",
+      {mean_claim(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
+       mean_claim<Packet>(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
+       mean_claim(floor_radiance<Wrong>("two_lights.one", {}, two_lights(), 1,
+                                        [](const SpheresOverPlane& s, int c) { return s.sum_of_cone_terms(c); })),
+       mean_claim<Packet>(one_against_all<Wrong, Right>("two_lights.one_against_all"))}};
 }
 
 Fault steep_cosine() {
@@ -66,10 +67,10 @@ Fault emission_twice() {
   return {"emission-twice",
           "double count",
           "the paper, A.2",
-          {furnace_claim<Tracer<faults::EmissionTwice, Roulette>>("furnace.light", {}),
-           floor_claim<Tracer<faults::EmissionTwice, NoRoulette>>(
+          {mean_claim(furnace_radiance<Tracer<faults::EmissionTwice, Roulette>>("furnace.light", {})),
+           mean_claim<Packet>(floor_radiance<Tracer<faults::EmissionTwice, NoRoulette>>(
                "sphere_over_plane.light", {}, one_light(), 1,
-               [](const SpheresOverPlane& s, int c) { return s.sum_of_terms(c) + s.largest_radiance(c); })}};
+               [](const SpheresOverPlane& s, int c) { return s.sum_of_terms(c) + s.largest_radiance(c); }))}};
 }
 
 }  // namespace

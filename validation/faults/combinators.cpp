@@ -14,7 +14,7 @@ std::vector<Claim> both(const Experiment& wrong) {
   return {mean_claim<double>(wrong), mean_claim<Packet>(wrong)};
 }
 
-std::vector<Claim> all_of(std::vector<Claim> claims, const std::vector<Claim>& more) {
+std::vector<Claim> together(std::vector<Claim> claims, const std::vector<Claim>& more) {
   claims.insert(claims.end(), more.begin(), more.end());
   return claims;
 }
@@ -22,19 +22,20 @@ std::vector<Claim> all_of(std::vector<Claim> claims, const std::vector<Claim>& m
 Fault unpaid_throughput() {
   using Unpaid = RouletteByThroughput<0, faults::UnpaidRoulette>;
   using UnpaidLater = RouletteByThroughput<1, faults::UnpaidRoulette>;
-  auto claims =
-      all_of(both(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "", 0)),
-             both(roulette_walk<UnpaidLater, UniformHemisphere>("roulette.walk.throughput_later", "", 1)));
-  claims.push_back(furnace_claim<PathTracer<CosineHemisphere, NoDirectLight, Unpaid>>("furnace.throughput", {}));
+  using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, Unpaid>;
+  const auto claims = together(
+      together(both(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "", 0)),
+               both(roulette_walk<UnpaidLater, UniformHemisphere>("roulette.walk.throughput_later", "", 1))),
+      both(furnace_radiance<Tracer>("furnace.throughput", {})));
   return {"roulette-by-throughput-unpaid", "roulette unpaid", "openmc #3511; chunky #1018", claims};
 }
 
 Fault weights_on_one_side() {
   using Wrong = faults::PowerOnOneSide;
   return {"mis-power-on-one-side", "MIS sum", "mitsuba aa325039f; Moer #59",
-          all_of(all_of(both(multi_sample_peaks<Wrong>("mis.peaks.power")),
-                        both(one_sample_peaks<Wrong>("mis.one_sample.power"))),
-                 both(solid_angle_by_two<Wrong>("mis.hemisphere.power")))};
+          together(together(both(multi_sample_peaks<Wrong>("mis.peaks.power")),
+                            both(one_sample_peaks<Wrong>("mis.one_sample.power"))),
+                   both(solid_angle_by_two<Wrong>("mis.hemisphere.power")))};
 }
 
 Fault counts_ignored() {
@@ -59,8 +60,8 @@ Fault factor_forgotten() {
 
 Fault unpaid_splitting() {
   return {"splitting-unpaid", "lost 1/n", "appleseed #1515; mitsuba3 #1861",
-          all_of(both(splitting_integral<faults::UnpaidSplitting>("splitting.whole", 3)),
-                 both(splitting_integral<faults::UnpaidSplitting>("splitting.fraction", 2.25)))};
+          together(both(splitting_integral<faults::UnpaidSplitting>("splitting.whole", 3)),
+                   both(splitting_integral<faults::UnpaidSplitting>("splitting.fraction", 2.25)))};
 }
 
 Fault half_jitter() {

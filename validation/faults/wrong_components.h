@@ -55,7 +55,11 @@ struct OneUnweighted {
 
 /// Emission counted at every depth, beside the shadow rays. On record: the paper, A.2.
 struct EmissionTwice : DirectLight<AllOf> {
-  static constexpr bool counts_emission(int) { return true; }
+  template <class Real, class Scene>
+  static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
+    return Real(1);
+  }
+  static constexpr bool finds_all_light() { return false; }
 };
 
 }  // namespace fairlight::faults

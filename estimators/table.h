@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include <fairlight/estimators/packet.h>
+
+namespace fairlight {
+
+/// A table of numbers, looked up by an index of each lane's own. Indices outside it are the caller's mistake.
+template <class Real>
+class Table {
+ public:
+  Table() = default;
+  /// The numbers as near as Real comes to them.
+  explicit Table(const std::vector<double>& numbers) : size_(numbers.size()) {
+    for (double x : numbers) numbers_.push_back(static_cast<Lane<Real>>(x));
+    numbers_.resize((size_ + lanes<Real>) / lanes<Real> * lanes<Real>);
+  }
+
+  std::size_t size() const { return size_; }
+
+  Real operator()(const Index<Real>& i) const {
+    if constexpr (lanes < Real >> 1) {
+      Real found;
+      if (detail::look_up(numbers_.data(), size_, i, found)) return found;
+    }
+    return gather(numbers_.data(), i);
+  }
+
+ private:
+  std::size_t size_ = 0;
+  std::vector<Lane<Real>> numbers_;  // and zeros, to whole registers
+};
+
+}  // namespace fairlight

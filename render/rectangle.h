@@ -1,0 +1,39 @@
+#pragma once
+
+#include <fairlight/render/sphere.h>
+
+namespace fairlight {
+
+/// A rectangle about the anchor of its plane: the points of the plane whose coordinates along both axes are in [-1, 1]. The axes are
+/// orthogonal to each other and to the normal, and as long as the inverse of half an edge [1/m].
+template <class Real>
+struct Rectangle {
+  Sphere<Real> plane;
+  Vec3<Real> x, y;
+
+  /// The same for all lanes of a packet.
+  template <class Other>
+  Rectangle<Other> in() const {
+    return {plane.template in<Other>(), x.template cast<Other>(), y.template cast<Other>()};
+  }
+
+  /// Along a unit direction, the distance [m] to the rectangle ahead; infinity where there is none, or where the origin is on it.
+  Real distance(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
+    using std::abs;
+    const Real slope = plane.normal.dot(direction);
+    const Vec3<Real> to_anchor = plane.anchor - origin;
+    const Real t = plane.normal.dot(to_anchor) / slope;
+    const Mask<Real> ahead = t > Real(0) && !leaving;
+    const Vec3<Real> place = direction * select(ahead, t, Real(0)) - to_anchor;
+    const Mask<Real> within = abs(x.dot(place)) <= Real(1) && abs(y.dot(place)) <= Real(1);
+    return select(ahead && within, t, Real(infinity<Real>));
+  }
+
+  /// Positive where it stands on the ray closer than `reach` [m].
+  Real obstruction(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving,
+                   Real reach) const {
+    return reach - distance(origin, direction, leaving);
+  }
+};
+
+}  // namespace fairlight

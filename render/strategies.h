@@ -1,0 +1,200 @@
+#pragma once
+
+#include <fairlight/estimators/blackman_harris_filter.h>
+#include <fairlight/estimators/filter.h>
+#include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/render/path_tracer.h>
+#include <fairlight/render/settings.h>
+
+namespace fairlight {
+
+/// The strategies of a path as choices that are made while the program runs. Each stands for one of the kit's components,
+/// behind a branch that always goes the same way: a cycle among the hundreds of a vertex.
+struct Strategies {
+  enum class Bounce { cosine, uniform };
+  enum class Direct { light, none };
+  enum class LightSampling { area, visible, cone, solid_angle };
+  enum class WhichLight { all, one, power, contribution };
+  enum class Roulette { albedo, throughput, off };
+  enum class Filter { tent, box, gaussian, blackman_harris };
+
+  /// Throws std::invalid_argument for a strategy that does not exist, for one that the scene does not admit, and for paths that
+  /// might not end or whose variance is infinite.
+  Strategies(const RenderSettings& settings, const Scene& scene);
+
+  Bounce bounce;
+  Direct direct;
+  LightSampling light_sampling;
+  WhichLight which_light;
+  Roulette roulette;
+  Filter filter;
+  int max_depth;
+};
+
+/// How diffuse surfaces are sampled.
+template <class Real>
+struct ChosenDirections {
+  using Scalar = Real;
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    return is_uniform ? UniformHemisphere<Real>().sample(u) : CosineHemisphere<Real>().sample(u);
+  }
+  Density<SolidAngle, Real> pdf(const Vec3<Real>& w) const {
+    return is_uniform ? UniformHemisphere<Real>().pdf(w) : CosineHemisphere<Real>().pdf(w);
+  }
+  bool is_uniform = false;
+};
+
+struct ChosenBounces {
+  template <class Real>
+  ChosenDirections<Real> directions() const {
+    return {bounce == Strategies::Bounce::uniform};
+  }
+  Strategies::Bounce bounce;
+};
+
+/// How points of a luminaire are sampled.
+struct ChosenPoints {
+  template <class Real>
+  LightSample<Real> sample(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>& on_it,
+                           const Vec3<Real>& from, const Vec2<Real>& u) const {
+    return with([&](auto points) { return points.template sample<Real>(lights, i, on_it, from, u); });
+  }
+  template <class Real>
+  Density<SolidAngle, Real> pdf(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>& on_it,
+                                const Vec3<Real>& from, const Vec3<Real>& direction) const {
+    return with([&](auto points) { return points.template pdf<Real>(lights, i, on_it, from, direction); });
+  }
+
+  Strategies::LightSampling sampling;
+
+ private:
+  auto with(const auto& use) const {
+    switch (sampling) {
+      case Strategies::LightSampling::visible:
+        return use(PointsBy<SphereByVisibleHemisphere>());
+      case Strategies::LightSampling::cone:
+        return use(PointsBy<SphereByCone>());
+      case Strategies::LightSampling::solid_angle:
+        return use(PointsBy<SphereByArea, RectangleBySolidAngle>());
+      case Strategies::LightSampling::area:
+        break;
+    }
+    return use(PointsBy<SphereByArea>());
+  }
+};
+
+/// All luminaires, or one of them.
+template <class Real>
+class ChosenLuminaires {
+ public:
+  ChosenLuminaires(const Strategies& strategies, const Scene& scene)
+      : which_(strategies.which_light), by_power_(one_by_power<Real>(scene)) {}
+
+  /// As a point sees them.
+  auto seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) const {
+    return Seen{*this, lights, point};
+  }
+
+ private:
+  struct Seen {
+    template <class, class Source, class Term>
+    auto sum(int n, Source& source, const Term& term) const {
+      switch (n == 1 ? Strategies::WhichLight::all : chosen.which_) {
+        case Strategies::WhichLight::one:
+          return OneOf::sum<Real>(n, source, term);
+        case Strategies::WhichLight::power:
+          return chosen.by_power_.template sum<Real>(n, source, term);
+        case Strategies::WhichLight::contribution:
+          return OneByContribution::seen_from(lights, point).template sum<Real>(n, source, term);
+        case Strategies::WhichLight::all:
+          break;
+      }
+      return AllOf::sum<Real>(n, source, term);
+    }
+    const ChosenLuminaires& chosen;
+    const LightTable<Real>& lights;
+    Vec3<Real> point;
+  };
+
+  Strategies::WhichLight which_;
+  OneBy<PowerChoice<Real>> by_power_;
+};
+
+/// Shadow rays, or none.
+template <class Real>
+class ChosenDirect {
+ public:
+  ChosenDirect(const Strategies& strategies, const Scene& scene)
+      : light_(strategies.direct == Strategies::Direct::light),
+        direct_(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}) {}
+
+  Real emission_weight(const auto& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
+    return light_ ? direct_.emission_weight(scene, ray, surface, density) : Real(1);
+  }
+  bool finds_all_light() const { return light_; }
+
+  template <class, class Scene, class Source, class Bsdf>
+  Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
+                     const Mask<Real>& asked) const {
+    return light_ ? direct_.template estimate<Real>(scene, vertex, bsdf, source, asked) : zero<Rgb<Real>>();
+  }
+
+ private:
+  bool light_;
+  DirectLight<ChosenLuminaires<Real>, ChosenPoints> direct_;
+};
+
+/// What decides whether a path goes on. By throughput from its third bounce on: the first ones carry most of the picture.
+struct ChosenRoulette {
+  template <class Real, class Source>
+  Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real& depth,
+                      Source& source) const {
+    switch (roulette) {
+      case Strategies::Roulette::throughput:
+        return RouletteByThroughput<3>::play<Real>(albedo, throughput, depth, source);
+      case Strategies::Roulette::off:
+        return NoRoulette::play<Real>(albedo, throughput, depth, source);
+      case Strategies::Roulette::albedo:
+        break;
+    }
+    return RouletteByReflectance<>::play<Real>(albedo, throughput, depth, source);
+  }
+  Strategies::Roulette roulette;
+};
+
+/// The pixel filter.
+template <class Real>
+class ChosenFilter {
+ public:
+  using Scalar = Real;
+  explicit ChosenFilter(Strategies::Filter filter) : filter_(filter) {}
+
+  Vec2<Real> sample(const Vec2<Real>& u) const {
+    switch (filter_) {
+      case Strategies::Filter::box:
+        return box_.sample(u);
+      case Strategies::Filter::gaussian:
+        return gaussian_.sample(u);
+      case Strategies::Filter::blackman_harris:
+        return blackman_harris_.sample(u);
+      case Strategies::Filter::tent:
+        break;
+    }
+    return TentFilter<Real>().sample(u);
+  }
+
+ private:
+  Strategies::Filter filter_;
+  BoxFilter<Real> box_;
+  GaussianFilter<Real> gaussian_{Real(0.5f), Real(1.5f)};
+  BlackmanHarrisFilter<Real> blackman_harris_{Real(2)};
+};
+
+/// The path tracer that the strategies make.
+template <class Real>
+auto chosen_tracer(const Strategies& strategies, const Scene& scene) {
+  return PathTracer<ChosenBounces, ChosenDirect<Real>, ChosenRoulette>(
+      strategies.max_depth, ChosenDirect<Real>(strategies, scene), {strategies.bounce}, {strategies.roulette});
+}
+
+}  // namespace fairlight

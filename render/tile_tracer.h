@@ -1,0 +1,207 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include <fairlight/estimators/stream.h>
+#include <fairlight/render/camera.h>
+#include <fairlight/render/film.h>
+#include <fairlight/render/strategies.h>
+
+namespace fairlight {
+
+/// A part of an image.
+struct Tile {
+  int left, top, right, bottom;
+  int width() const { return right - left; }
+  int pixels() const { return width() * (bottom - top); }
+};
+
+/// The numbers of vertices of paths, one path a lane: of its pixel, its sample and its vertex, whatever lane it is in.
+inline PhiloxStream<double> numbers_of(std::type_identity<double>, const StreamKey& key,
+                                       const std::array<std::uint32_t, 1>& pixels,
+                                       const std::array<std::uint32_t, 1>& samples,
+                                       const std::array<std::uint32_t, 1>& vertices) {
+  return {key, pixels[0], vertex_sample(samples[0], vertices[0])};
+}
+template <class A>
+PhiloxStream<xsimd::batch<float, A>> numbers_of(std::type_identity<xsimd::batch<float, A>>, const StreamKey& key,
+                                                const auto& pixels, const auto& samples, const auto& vertices) {
+  using Word = xsimd::batch<std::uint32_t, A>;
+  return {key, Word::load_unaligned(pixels.data()), Word::load_unaligned(samples.data()),
+          Word::load_unaligned(vertices.data())};
+}
+
+/// Renders tiles of an image.
+class TileRenderer {
+ public:
+  virtual ~TileRenderer() = default;
+  /// Adds samples `range` of the tile's pixels to the film, and returns the number of rays that were traced. Any number of threads may
+  /// render at once, each its own tile.
+  virtual std::uint64_t render(const Tile& tile, SampleRange range, Film& film) const = 0;
+};
+
+/// What a renderer of tiles needs to know.
+struct TileSettings {
+  const Scene& scene;
+  const Camera& camera;
+  const Strategies& strategies;
+  StreamKey key;
+  int width, height;  ///< of the image
+};
+
+/// A tile's samples are jobs, as many as there are lanes are on their way at once, and a lane whose path has ended takes
+/// the next job. What a job gives depends on its pixel and its sample alone, whatever lane it is in.
+template <class Real>
+class TileTracer : public TileRenderer {
+ public:
+  explicit TileTracer(const TileSettings& settings)
+      : scene_(settings.scene),
+        camera_(settings.camera),
+        filter_(settings.strategies.filter),
+        tracer_(chosen_tracer<Real>(settings.strategies, settings.scene)),
+        key_(settings.key),
+        width_(settings.width),
+        height_(settings.height) {}
+
+  std::uint64_t render(const Tile& tile, SampleRange range, Film& film) const override {
+    const CountedScene<Real> scene(scene_);
+    for (std::uint64_t first = range.first; first < range.last; first += at_once) {
+      const auto n = static_cast<std::uint32_t>(std::min<std::uint64_t>(at_once, range.last - first));
+      Run run(*this, tile, static_cast<std::uint32_t>(first), n);
+      run.trace(scene);
+      for (int pixel = 0; pixel < tile.pixels(); ++pixel) run.add_pixel(pixel, film);
+    }
+    return scene.rays();
+  }
+
+ private:
+  using Number = Lane<Real>;
+  using Words = std::array<std::uint32_t, lanes<Real>>;
+  using Numbers = std::array<Number, lanes<Real>>;
+  static constexpr std::uint32_t everyone = static_cast<std::uint32_t>((std::uint64_t{1} << lanes<Real>)-1);
+  static constexpr std::uint32_t at_once = 64;  ///< samples of a pixel that are held until they are added
+
+  static Real loaded(const Numbers& numbers) {
+    if constexpr (lanes<Real> == 1) {
+      return numbers[0];
+    } else {
+      return Real::load_unaligned(numbers.data());
+    }
+  }
+  static Numbers stored(const Real& x) {
+    Numbers numbers;
+    if constexpr (lanes<Real> == 1) {
+      numbers[0] = x;
+    } else {
+      x.store_unaligned(numbers.data());
+    }
+    return numbers;
+  }
+
+  /// Some samples of every pixel of a tile.
+  class Run {
+   public:
+    Run(const TileTracer& tracer, const Tile& tile, std::uint32_t first_sample, std::uint32_t samples)
+        : by_(tracer),
+          tile_(tile),
+          first_sample_(first_sample),
+          samples_(samples),
+          jobs_(samples * static_cast<std::uint32_t>(tile.pixels())) {
+      for (auto& channel : radiance_) channel = std::make_unique_for_overwrite<Number[]>(jobs_);
+    }
+
+    /// A vertex at a time, of all paths that are on their way; lanes are given jobs when a quarter of them have none.
+    void trace(const CountedScene<Real>& scene) {
+      Path<Real> path{{Vec3<Real>(Real(0), Real(0), Real(0)), Vec3<Real>(Real(0), Real(0), Real(1)), Real(-1)}};
+      Mask<Real> alive(false);
+      std::uint32_t idle = everyone;
+      while (true) {
+        const bool enough = 4 * static_cast<std::size_t>(std::popcount(idle)) >= lanes<Real>;
+        if (enough && next_ < jobs_) idle = start(path, alive, idle);
+        if (idle == everyone) return;
+        auto source = numbers_of(std::type_identity<Real>{}, by_.key_, pixel_, sample_, vertex_);
+        for (auto& vertex : vertex_) ++vertex;
+        alive = by_.tracer_.advance(scene, path, source, alive);
+        const std::uint32_t ended = ~lane_bits(alive) & ~idle & everyone;
+        if (ended != 0) finish(path, ended);
+        idle |= ended;
+      }
+    }
+
+    void add_pixel(int pixel, Film& film) const {
+      const auto begin = static_cast<std::size_t>(pixel) * samples_;
+      const auto of = [&](std::size_t c) { return std::span<const Number>(&radiance_[c][begin], samples_); };
+      film.add(tile_.left + pixel % tile_.width(), tile_.top + pixel / tile_.width(),
+               std::array{of(0), of(1), of(2)});
+    }
+
+   private:
+    /// Gives jobs to idle lanes, and returns those that are still idle.
+    [[gnu::flatten]] std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
+      Numbers fresh{};
+      for (std::uint32_t rest = idle; rest != 0 && next_ < jobs_; rest &= rest - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+        take_job(lane);
+        fresh[lane] = Number(1);
+        idle &= ~(1u << lane);
+      }
+      auto source = numbers_of(std::type_identity<Real>{}, by_.key_, pixel_, sample_, Words{});
+      const Vec2<Real> middle(loaded(middle_x_), loaded(middle_y_));
+      const Ray<Real> ray = pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
+      const Mask<Real> starts = loaded(fresh) > Real(0);
+      path.ray = {select(starts, ray.origin, path.ray.origin), select(starts, ray.direction, path.ray.direction),
+                  select(starts, ray.leaving, path.ray.leaving)};
+      path.throughput = select(starts, Rgb<Real>(Rgb<Real>::Constant(Real(1))), path.throughput);
+      path.radiance = select(starts, zero<Rgb<Real>>(), path.radiance);
+      path.density = select(starts, Real(0), path.density);
+      path.depth = select(starts, Real(0), path.depth);
+      alive = alive || starts;
+      return idle;
+    }
+
+    void take_job(std::size_t lane) {
+      const std::uint32_t job = next_++;
+      const auto pixel = static_cast<int>(job / samples_);
+      const int x = tile_.left + pixel % tile_.width();
+      const int y = tile_.top + pixel / tile_.width();
+      job_[lane] = job;
+      pixel_[lane] =
+          static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(by_.width_) + static_cast<std::uint32_t>(x);
+      sample_[lane] = first_sample_ + job % samples_;
+      vertex_[lane] = 1;  // vertex 0 is the camera
+      middle_x_[lane] = static_cast<Number>(x) + Number(0.5);
+      middle_y_[lane] = static_cast<Number>(y) + Number(0.5);
+    }
+
+    void finish(const Path<Real>& path, std::uint32_t ended) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Numbers radiance = stored(path.radiance[static_cast<Eigen::Index>(c)]);
+        for (std::uint32_t rest = ended; rest != 0; rest &= rest - 1) {
+          const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+          radiance_[c][job_[lane]] = radiance[lane];
+        }
+      }
+    }
+
+    const TileTracer& by_;
+    Tile tile_;
+    std::uint32_t first_sample_, samples_;  ///< of every pixel
+    std::uint32_t next_ = 0, jobs_;
+    Words job_{}, pixel_{}, sample_{}, vertex_{};        ///< of each lane
+    Numbers middle_x_{}, middle_y_{};                    ///< of its pixel
+    std::array<std::unique_ptr<Number[]>, 3> radiance_;  ///< of the jobs, per channel
+  };
+
+  TracedScene<Real> scene_;
+  Camera camera_;
+  ChosenFilter<Real> filter_;
+  PathTracer<ChosenBounces, ChosenDirect<Real>, ChosenRoulette> tracer_;
+  StreamKey key_;
+  int width_, height_;
+};
+
+}  // namespace fairlight
