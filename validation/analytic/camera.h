@@ -65,8 +65,8 @@ Vec2<Real> crossing(const Ray<Real>& ray) {
   return {point.dot(in(CameraAskew::right())), point.dot(in(CameraAskew::down()))};
 }
 
-/// The mean crossing, and the mean squared distance from the middle, as what is left to 1 of its part of the largest, for a filter of the variance and reach given, in
-/// pixels. `make(type_identity<Real>)` gives it.
+/// The mean crossing, and one less the mean squared distance from the middle over the largest, which is steadier; for a
+/// filter of the variance and reach given, in pixels. `make(type_identity<Real>)` gives it.
 template <class Rays = PixelRays, class Make>
 auto pixel_crossings(const std::string& name, std::vector<std::string> subjects, double radius, double variance,
                      double reach, const Make& make) {
