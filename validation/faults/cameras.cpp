@@ -26,10 +26,7 @@ Fault square_aperture() {
 
 Fault unnormalised_gaussian() {
   const auto law = gaussian_law<faults::UnnormalisedGaussian>();
-  return {"gaussian-not-renormalised",
-          "support",
-          "the class of pbrt-v3 #319",
-          {law_claim(law), law_moments_claim(law), law_moments_claim<Packet>(law)}};
+  return {"gaussian-not-renormalised", "support", "the class of pbrt-v3 #319", claims_of_draws(law)};
 }
 
 Fault spherical_focus() {
