@@ -34,13 +34,21 @@ void add_unbiased(std::vector<Claim>& claims, const std::string& by, const std::
   claims.push_back(halves_claim<Score>(by, score));
 }
 
-/// From other numbers every form and every score once: neither knows where its samples come from.
+/// From point sets every form and every score once: neither knows where its samples come from.
 template <class Numbers>
 void add_numbers(std::vector<Claim>& claims, const Numbers& numbers) {
   claims.push_back(pilot_claim<UniformAllocation>("uniform", "UniformAllocation", numbers));
   claims.push_back(pilot_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", numbers));
   claims.push_back(stages_claim<AllocationByVariance>("variance", "AllocationByVariance", numbers));
   claims.push_back(halves_claim<AllocationByDeviation>("deviation", "AllocationByDeviation", numbers));
+}
+
+/// From packets every form once, for scores are worked out in double.
+void add_packets(std::vector<Claim>& claims) {
+  const FromStreams<Packet> packets;
+  claims.push_back(pilot_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
+  claims.push_back(stages_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
+  claims.push_back(halves_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
 }
 
 /// The naive form and its bias. The points of a pilot of two never meet both a spike of p <= 1/2.
@@ -71,7 +79,7 @@ void add_allocation_claims(std::vector<Claim>& claims) {
   add_unbiased<AllocationByDeviation>(claims, "deviation", "AllocationByDeviation");
   add_unbiased<AllocationByVariance>(claims, "variance", "AllocationByVariance");
   add_unbiased<AllocationByNeighbours>(claims, "neighbours", "AllocationByNeighbours");
-  add_numbers(claims, FromStreams<Packet>());
+  add_packets(claims);
   add_numbers(claims, FromSets(sobol_points));
   add_numbers(claims, FromSets(stratified_points));
   add_numbers(claims, FromSets(latin_points));
