@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <fairlight/estimators/stream.h>
 #include <fairlight/stats/moments.h>
 
 namespace fairlight {
@@ -20,12 +19,14 @@ namespace fairlight {
 /// makes counts of them, and a form (allocation_unbiased.h, allocation_naive.h) decides what becomes of the samples
 /// that the scores were made from.
 ///
-/// A pixel's samples come from `draw(pixel, sample)`, a function of the two numbers alone, independent between any
-/// two such pairs; so an adaptive image depends on no order and no thread. The image as a whole is one draw of a
-/// random variable: its pixels are not independent of each other, and only whole images may be averaged or tested.
+/// A pixel's samples come from `draw(pixel, first, n)`, which gives those with the numbers first, ..., first + n - 1
+/// (pixel_draws.h): a function of the three alone. What it gives in two calls is independent, so an adaptive image
+/// depends on no order and no thread, and a stage on no later one; the samples of one call may depend on each
+/// other, as the points of a set do. The image as a whole is one draw of a random variable: its pixels are not
+/// independent of each other, and only whole images may be averaged or tested.
 ///
-/// There is no packet form: what is worked on is whole counts, which differ from pixel to pixel, and which a
-/// rounded score would change. The draws themselves may be made in packets, whose lanes are consecutive samples.
+/// Scores and counts are in double only: they are whole numbers, which differ from pixel to pixel, and which a
+/// rounded score would change. The draws may be made in packets, whose lanes are consecutive samples.
 
 /// An image's size; pixel y * width + x is the x-th of row y.
 class PixelGrid {
@@ -164,24 +165,5 @@ inline SampleCounts share_out(std::uint64_t budget, const std::vector<double>& s
   for (std::size_t k = 0; k < left; ++k) ++counts[remainders[k].second];
   return counts;
 }
-
-/// draw(pixel, sample) from an estimator at each pixel, `estimator(pixel, source)`, that takes its numbers from a
-/// stream of its own; `first_unit` is the unit of pixel 0, and sets images of one key apart.
-template <class PixelEstimator>
-class PixelDraws {
- public:
-  PixelDraws(const StreamKey& key, std::uint32_t first_unit, PixelEstimator estimator)
-      : key_(key), first_unit_(first_unit), estimator_(std::move(estimator)) {}
-
-  double operator()(std::size_t pixel, std::uint64_t sample) const {
-    PhiloxStream<double> source(key_, first_unit_ + static_cast<std::uint32_t>(pixel), sample);
-    return estimator_(pixel, source);
-  }
-
- private:
-  StreamKey key_;
-  std::uint32_t first_unit_;
-  PixelEstimator estimator_;
-};
 
 }  // namespace fairlight

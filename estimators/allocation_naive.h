@@ -13,7 +13,7 @@ namespace fairlight::naive {
 /// allocation_unbiased.h.
 /// Formula  I_i = the mean of all samples of pixel i, their number a function of the earlier of them
 /// Domain   two stages or more; the pilot is the first, and not empty
-/// Random   sample s of pixel i by draw(i, s), stage after stage
+/// Random   pixel i's samples by draw(i, first, n), stage after stage
 /// Source   the paper, 3.2.2; its bias: Kirk and Arvo 1991, "Unbiased sampling techniques for image synthesis"
 template <AllocationScore Score>
 class PooledStages {

@@ -28,16 +28,19 @@ inline void check_plan(const AllocationPlan& plan, std::uint64_t budget, std::ui
   }
 }
 
+/// The draws with the numbers from `start` on.
+template <class Draw>
+auto from_sample(std::uint64_t start, const Draw& draw) {
+  return
+      [=, &draw](std::size_t pixel, std::uint64_t first, std::uint64_t n) { return draw(pixel, start + first, n); };
+}
+
 /// The next counts[i] samples of every pixel i, after those of its history.
 template <class Draw>
 PixelHistories draw_stage(const Draw& draw, const PixelHistories& histories, const SampleCounts& counts) {
   PixelHistories stage;
-  std::vector<double> samples;
   for (std::size_t pixel = 0; pixel < counts.size(); ++pixel) {
-    const std::uint64_t first = histories[pixel].count();
-    samples.clear();
-    for (std::uint64_t i = 0; i < counts[pixel]; ++i) samples.push_back(draw(pixel, first + i));
-    stage.push_back(Moments::of(samples));
+    stage.push_back(Moments::of(draw(pixel, histories[pixel].count(), counts[pixel])));
   }
   return stage;
 }

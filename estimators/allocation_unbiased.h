@@ -13,7 +13,7 @@ namespace fairlight {
 /// The pilot's samples decide, and are thrown away.
 /// Formula  I_i = the mean of n_i samples, n_i a function of the pilot, which is independent of them; n_i >= 1
 /// Domain   budget >= pixels (pilot + 1); pilot at least what the score needs, and 0 makes plain uniform sampling
-/// Random   sample s of pixel i by draw(i, s), the pilot's first
+/// Random   pixel i's samples by draw(i, first, n), the pilot's first
 /// Source   Kirk and Arvo 1991, "Unbiased sampling techniques for image synthesis"
 template <AllocationScore Score>
 class DiscardedPilot {
@@ -39,7 +39,7 @@ class DiscardedPilot {
 /// Formula  I_i = sum_k (b_k / b) m_ik, b_k the samples of stage k in the whole image, m_ik the mean of pixel i's
 ///          in it
 /// Domain   two stages or more, each with a sample of every pixel; the pilot is the first
-/// Random   sample s of pixel i by draw(i, s), stage after stage
+/// Random   pixel i's samples by draw(i, first, n), stage after stage
 /// Source   Owen and Zhou 2020, "The square root rule for adaptive importance sampling" (weights fixed in advance)
 template <AllocationScore Score>
 class FixedStageWeights {
@@ -69,7 +69,7 @@ class FixedStageWeights {
 /// Formula  I_i = (A_i + B_i) / 2, A_i the mean of the first half's samples, their number a function of B's pilot
 ///          alone
 /// Domain   half the budget >= pixels times pilot, a pilot being that of one half, and not empty
-/// Random   sample s of pixel i by draw(i, 2s) in the first half and draw(i, 2s + 1) in the second
+/// Random   pixel i's samples by draw(i, first, n) in the first half, and by draw(i, budget + first, n) in the second
 /// Source   cross-fitting, after Cox 1975, "A note on data-splitting"; two buffers that steer each other:
 ///          Rousselle, Knaus, Zwicker 2012
 template <AllocationScore Score>
@@ -82,12 +82,11 @@ class CrossedHalves {
 
   template <class Draw>
   std::vector<double> estimate(const Draw& draw) const {
-    const auto even = [&](std::size_t pixel, std::uint64_t sample) { return draw(pixel, 2 * sample); };
-    const auto odd = [&](std::size_t pixel, std::uint64_t sample) { return draw(pixel, 2 * sample + 1); };
-    const PixelHistories pilot_a = detail::draw_pilot(plan_, even);
-    const PixelHistories pilot_b = detail::draw_pilot(plan_, odd);
-    const std::vector<double> a = half(even, pilot_a, pilot_b, plan_.budget - plan_.budget / 2);
-    const std::vector<double> b = half(odd, pilot_b, pilot_a, plan_.budget / 2);
+    const auto other = detail::from_sample(plan_.budget, draw);
+    const PixelHistories pilot_a = detail::draw_pilot(plan_, draw);
+    const PixelHistories pilot_b = detail::draw_pilot(plan_, other);
+    const std::vector<double> a = half(draw, pilot_a, pilot_b, plan_.budget - plan_.budget / 2);
+    const std::vector<double> b = half(other, pilot_b, pilot_a, plan_.budget / 2);
     std::vector<double> image;
     for (std::size_t i = 0; i < a.size(); ++i) image.push_back((a[i] + b[i]) / 2);
     return image;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <limits>
+
 #include <fairlight/estimators/vec.h>
 
 namespace fairlight {
 
 /// Fresnel's equations: the share of unpolarised light that a smooth boundary reflects, in [0,1]. `cosine` is that of the
-/// angle to the normal on the side that the light comes from, in [0,1].
+/// angle to the normal on the side that the light comes from, in [0,1], to rounding. Outside the domain the share is not a
+/// number, lest a picture hide it.
 /// Source   Born and Wolf, Principles of Optics, 1.5 and 14.2; PBR 4ed, 9.3
 
 namespace detail {
@@ -21,6 +24,14 @@ Real refracted_square(Real cosine, Real eta) {
 template <class Real>
 Real divisor(Real x) {
   return select(x > Real(0), x, Real(1));
+}
+
+/// A share where its arguments are in their domain. Two directions may each be a unit vector to within 256 ulp.
+template <class Real>
+Real share_in_domain(Real cosine, const Mask<Real>& indices, Real share) {
+  const Real slack(512 * ulp<Real>);
+  const Mask<Real> defined = indices && cosine >= -slack && cosine <= Real(1) + slack;
+  return select(defined, share, Real(std::numeric_limits<Lane<Real>>::quiet_NaN()));
 }
 
 }  // namespace detail
@@ -40,7 +51,8 @@ Real fresnel_dielectric(Real cosine, Real eta) {
   const Real sum = g + cosine;
   const Real s = (eta - Real(1)) * (eta + Real(1)) / detail::divisor(Real(sum * sum));
   const Real q = (cosine * g - sine_squared) / (cosine * g + sine_squared);
-  return select(refracts, Real(Real(0.5) * s * s * (Real(1) + q * q)), Real(1));
+  const Real share = select(refracts, Real(Real(0.5) * s * s * (Real(1) + q * q)), Real(1));
+  return detail::share_in_domain(cosine, eta > Real(0), share);
 }
 
 /// From an insulator to a conductor of complex index eta + i k, relative to the insulator's: eta > 0, k >= 0.
@@ -67,7 +79,7 @@ Real fresnel_conductor(Real cosine, Real eta, Real k) {
   };
   const Real s = ratio(a, cosine, b_squared);
   const Real p = s * ratio(Real(cosine * a), sine_squared, Real(cosine * cosine * b_squared));
-  return Real(0.5) * (s + p);
+  return detail::share_in_domain(cosine, eta > Real(0) && k >= Real(0), Real(Real(0.5) * (s + p)));
 }
 
 /// The same per channel.

@@ -103,7 +103,8 @@ class GgxVisibleNormals {
   }
 
   /// The random numbers, in [0,1]^2, that give a visible normal; the inverse of `sample`, up to rounding. Where every
-  /// u_y gives the same normal, at the top of the cap, one of them.
+  /// u_y gives the same normal, at the top of the cap, one of them. A normal above the surface that turns away from `out`
+  /// has none: its u_x is above 1.
   Vec2<Real> invert(const Point& m) const {
     using std::atan2;
     const Vec3<Real> n = facets_.unstretched(m) / facets_.unstretched(m).norm();
@@ -112,8 +113,11 @@ class GgxVisibleNormals {
     const Real along = azimuth_.x() * c.x() + azimuth_.y() * c.y();
     const Real across = azimuth_.x() * c.y() - azimuth_.y() * c.x();
     const Real forward = select(along * along + across * across > Real(0), Real(-along), Real(1));
-    return {(Real(1) - c.z()) / (Real(1) + cosine_),
-            atan2(Real(-across), forward) / (Real(2) * pi<Real>)+Real(0.5)};
+    // 1 - c_z, near the top of the cap from the radius, which has digits there.
+    const Mask<Real> high = c.z() > Real(0);
+    const Real rise = Real(1) + select(high, c.z(), Real(0));
+    const Real drop = select(high, Real((along * along + across * across) / rise), Real(Real(1) - c.z()));
+    return {drop / (Real(1) + cosine_), atan2(Real(-across), forward) / (Real(2) * pi<Real>)+Real(0.5)};
   }
 
   Density<Measure, Real> pdf(const Point& m) const {

@@ -55,6 +55,7 @@ Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std:
   const ChiSquare result = chi_square(counts, cells.probabilities);
   Finding finding{judge(result, draws, trial.margin, trial.alpha / 2, trial.beta), Guarantee::asymptotic,
                   trial.margin};
+  finding.note = "asymptotic: chi-square's law is the limit of many draws (every cell here expects at least 80)";
   const auto n = static_cast<double>(draws);
   finding.draws = draws;
   finding.bias = std::sqrt(std::max(result.statistic - result.degrees, 0.0) / n);

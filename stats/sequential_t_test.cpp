@@ -145,6 +145,7 @@ class GroupSequential {
     const double bias = arms_.difference() - mean_;
     Finding finding{Verdict::undecided, Guarantee::asymptotic, trial_.margin, bias / scale_};
     finding.draws = drawn_;
+    finding.note = "asymptotic: Student's law is the limit of many draws (no range of the draws was declared)";
     if (constant()) {
       finding.note = "no variance in " + std::to_string(drawn_) + " draws (declare a range, or compare every draw)";
       return finding;

@@ -35,7 +35,7 @@ struct Finding {
   std::uint64_t draws = 0;  ///< how many draws the verdict took
   double rounding = 0;      ///< of the arithmetic, relative: a bias up to it is not called one
   std::string token{};      ///< with the claim's name, replays it: the seed, as 16 hexadecimal digits
-  std::string note{};       ///< one sentence where there is more to say; empty otherwise
+  std::string note{};       ///< one sentence where there is more to say, such as why it is not exact; or empty
 };
 
 const char* name(Verdict verdict);

@@ -29,6 +29,10 @@ TEST(Conformance, EveryClaimIsCertified) {
   const auto exact = resting_on(Guarantee::exact);
   EXPECT_GE(exact, 9 * resting_on(Guarantee::asymptotic))
       << "at least nine tenths of the statistical claims are exact";
+  for (const Outcome& o : outcomes) {
+    EXPECT_FALSE(o.finding.guarantee == Guarantee::asymptotic && o.finding.note.empty())
+        << o.claim->name << " does not say why it is not exact";
+  }
 }
 
 }  // namespace

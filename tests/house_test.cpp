@@ -10,10 +10,12 @@ namespace {
 
 using testing::components_without_papers;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using testing::foreign_includes_in_stats;
 using ::testing::HasSubstr;
 using testing::includes_up_the_chain;
 using ::testing::IsEmpty;
+using testing::missing_tests_of_bad_input;
 using testing::TemporaryFolder;
 using testing::write_file;
 
@@ -103,6 +105,15 @@ TEST(House, NoticesASamplerThatDoesNotNameItsMeasure) {
   Papers papers;
   papers.comment = "/// Formula  p\n/// Domain   d\n/// Random   u\n/// Source   s\n";
   EXPECT_THAT(papers.problems(), Contains("Disk has no field Measure"));
+}
+
+TEST(House, TestsWhatItSaysOfBadInput) { EXPECT_THAT(missing_tests_of_bad_input(FAIRLIGHT_SOURCE_DIR), IsEmpty()); }
+
+TEST(House, NoticesALineOfBadInputWithoutItsTest) {
+  const TemporaryFolder tree;
+  write_file(tree / "docs/estimators.md", "\n# Bad input\n`Disk.RefusesNone`, `Disk.IsBlack`\n");
+  write_file(tree / "tests/estimators/disk_test.cpp", "TEST(Disk, RefusesNone) {}\n");
+  EXPECT_THAT(missing_tests_of_bad_input(tree.path()), ElementsAre("there is no test Disk.IsBlack"));
 }
 
 }  // namespace

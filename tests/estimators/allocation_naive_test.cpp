@@ -8,12 +8,13 @@ namespace {
 
 using naive::PooledStages;
 using testing::mean_over_every_outcome;
+using testing::one_by_one;
 using testing::SpikyPixels;
 
 TEST(PooledStages, IsTheMeanOfAllSamples) {
   // Pilot 0, 0 and 0, 1; then all six for the second pixel: the mean of 0 .. 7.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) { return static_cast<double>(pixel * sample); };
-  const auto image = PooledStages<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(draw);
+  const auto image = PooledStages<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(one_by_one(draw));
   EXPECT_EQ(image[0], 0);
   EXPECT_DOUBLE_EQ(image[1], 3.5);
 }

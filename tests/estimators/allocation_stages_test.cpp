@@ -1,19 +1,22 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <support/every_outcome.h>
 
 #include <fairlight/estimators/allocation_stages.h>
 
 namespace fairlight {
 namespace {
 
+using testing::one_by_one;
+
 double number(std::size_t pixel, std::uint64_t sample) { return static_cast<double>(10 * pixel + sample); }
 
 TEST(DrawStage, ContinuesWhereTheHistoryEnds) {
   const AllocationPlan plan{PixelGrid(2, 1), 8, 2};
-  const PixelHistories pilot = detail::draw_pilot(plan, number);
+  const PixelHistories pilot = detail::draw_pilot(plan, one_by_one(number));
   EXPECT_EQ(pilot[1].mean(), 10.5);
-  const PixelHistories next = detail::draw_stage(number, pilot, {3, 1});
+  const PixelHistories next = detail::draw_stage(one_by_one(number), pilot, {3, 1});
   EXPECT_EQ(next[0].count(), 3u);
   EXPECT_EQ(next[0].mean(), 3);
   EXPECT_EQ(next[1].mean(), 12);
@@ -33,7 +36,7 @@ TEST(StagedSampling, ScoresAllTheSamplesSoFar) {
   const auto draw = [](std::size_t pixel, std::uint64_t sample) {
     return pixel == 0 || sample == 0 ? 0.0 : sample == 1 ? 6.0 : 3.0;
   };
-  const auto drawn = StagedSampling<AllocationByVariance>({PixelGrid(2, 1), 8, 2}, 3, 0).run(draw);
+  const auto drawn = StagedSampling<AllocationByVariance>({PixelGrid(2, 1), 8, 2}, 3, 0).run(one_by_one(draw));
   ASSERT_EQ(drawn.size(), 3u);
   EXPECT_EQ(drawn[1][0].count(), 0u);
   EXPECT_EQ(drawn[1][1].count(), 2u);

@@ -124,15 +124,5 @@ TEST(AllocationByNeighbours, IsNothingForAPixelAlone) {
   EXPECT_EQ(AllocationByNeighbours::of(PixelGrid(1, 1), histories({{3}})), (Scores{0}));
 }
 
-TEST(PixelDraws, AreAFunctionOfPixelAndSample) {
-  const StreamKey key(1, "test");
-  const PixelDraws draws(
-      key, 10, [](std::size_t pixel, auto& source) { return static_cast<double>(pixel) + source.next(); });
-  PhiloxStream<double> source(key, 13, 5);
-  EXPECT_EQ(draws(3, 5), 3 + source.next());
-  EXPECT_EQ(draws(3, 5), draws(3, 5));
-  EXPECT_NE(draws(3, 5), draws(3, 6));
-}
-
 }  // namespace
 }  // namespace fairlight

@@ -11,6 +11,7 @@ namespace {
 
 using testing::CountedDraws;
 using testing::mean_over_every_outcome;
+using testing::one_by_one;
 using testing::SpikyPixels;
 
 const SpikyPixels two{{0.1, 0.25}, {10, 2}};
@@ -54,38 +55,39 @@ TEST(ByNeighbours, EveryFormIsUnbiasedOverEveryOutcome) {
 double number(std::size_t pixel, std::uint64_t sample) { return static_cast<double>(100 * pixel + sample); }
 
 TEST(DiscardedPilot, IsTheMeanOfTheSamplesAfterThePilot) {
-  EXPECT_EQ(DiscardedPilot<UniformAllocation>({PixelGrid(2, 1), 8, 2}).estimate(number),
+  EXPECT_EQ(DiscardedPilot<UniformAllocation>({PixelGrid(2, 1), 8, 2}).estimate(one_by_one(number)),
             (std::vector<double>{2.5, 102.5}));
 }
 
 TEST(DiscardedPilot, IsPlainUniformSamplingWithoutAPilot) {
-  EXPECT_EQ(DiscardedPilot<UniformAllocation>({PixelGrid(2, 1), 8, 0}).estimate(number),
+  EXPECT_EQ(DiscardedPilot<UniformAllocation>({PixelGrid(2, 1), 8, 0}).estimate(one_by_one(number)),
             (std::vector<double>{1.5, 101.5}));
 }
 
 TEST(DiscardedPilot, DrawsMoreWhereThePilotVaried) {
   // Pilot 0, 0 and 0, 1; then 1 and 5 samples.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) { return static_cast<double>(pixel * sample); };
-  EXPECT_EQ(DiscardedPilot<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(draw),
+  EXPECT_EQ(DiscardedPilot<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(one_by_one(draw)),
             (std::vector<double>{0, 4}));
 }
 
 TEST(FixedStageWeights, WeighStagesByTheirBudgets) {
   // Pilot 0, 0 and 0, 1, weight 4/10; then samples 2 and 2 .. 6, weight 6/10.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) { return static_cast<double>(pixel * sample); };
-  const auto image = FixedStageWeights<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(draw);
+  const auto image = FixedStageWeights<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(one_by_one(draw));
   EXPECT_EQ(image[0], 0);
   EXPECT_DOUBLE_EQ(image[1], 0.4 * 0.5 + 0.6 * 4);
 }
 
 TEST(CrossedHalves, SizeEachOther) {
-  // Even samples vary in pixel 1, odd ones in pixel 0. Pilots of two in each half; then the first half goes on in
-  // pixel 0 alone, which is dark, and the second in pixel 1 alone, at 7.
+  // The first half's samples, from number 0 on, vary in pixel 1, the second's, from 12 on, in pixel 0. Pilots of two
+  // in each; then the first half goes on in pixel 0 alone, at 1, and the second in pixel 1 alone, at 7.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) {
-    if (sample < 4) return pixel == 1 ? (sample == 2 ? 4.0 : 0.0) : (sample == 3 ? 8.0 : 0.0);
+    if (sample < 2) return pixel == 1 && sample == 1 ? 4.0 : 0.0;
+    if (sample == 12 || sample == 13) return pixel == 0 && sample == 13 ? 8.0 : 0.0;
     return pixel == 1 ? 7.0 : 1.0;
   };
-  const auto image = CrossedHalves<AllocationByDeviation>({PixelGrid(2, 1), 12, 2}).estimate(draw);
+  const auto image = CrossedHalves<AllocationByDeviation>({PixelGrid(2, 1), 12, 2}).estimate(one_by_one(draw));
   EXPECT_DOUBLE_EQ(image[0], (2 * 1.0 / 4 + 8.0 / 2) / 2);
   EXPECT_DOUBLE_EQ(image[1], (4.0 / 2 + 2 * 7.0 / 4) / 2);
 }
@@ -106,7 +108,8 @@ TEST(UnbiasedForms, RefuseBudgetsThatAreTooSmall) {
 
 TEST(UnbiasedForms, FailOnADrawThatIsNotANumber) {
   const auto nan = [](std::size_t, std::uint64_t) { return std::numeric_limits<double>::quiet_NaN(); };
-  EXPECT_THROW(DiscardedPilot<AllocationByVariance>({PixelGrid(2, 1), 8, 2}).estimate(nan), std::invalid_argument);
+  EXPECT_THROW(DiscardedPilot<AllocationByVariance>({PixelGrid(2, 1), 8, 2}).estimate(one_by_one(nan)),
+               std::invalid_argument);
 }
 
 template <class Form>

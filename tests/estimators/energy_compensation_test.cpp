@@ -81,6 +81,7 @@ TEST(EnergyCompensatedConductor, IsBlackFromBelow) {
 TEST(EnergyCompensatedConductor, RefusesARoughnessOutsideItsDomain) {
   EXPECT_THROW(metal(0), std::invalid_argument);
   EXPECT_THROW(metal(1.5), std::invalid_argument);
+  EXPECT_THROW(metal(std::nan("")), std::invalid_argument);
   EXPECT_THROW(GgxLoss(0), std::invalid_argument);
 }
 

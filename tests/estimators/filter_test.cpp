@@ -45,13 +45,7 @@ RC_GTEST_PROP(BoxFilter, HasTheJacobianOneOverItsDensity, ()) {
   RC_ASSERT(testing::has_the_jacobian_one_over_its_density(filter, u, 1e-8));
 }
 
-TEST(BoxFilter, RefusesARadiusThatIsNone) {
-  EXPECT_THROW(BoxFilter<double>(0), std::invalid_argument);
-  EXPECT_THROW(BoxFilter<double>(-1), std::invalid_argument);
-  EXPECT_THROW(BoxFilter<double>{infinity<double>}, std::invalid_argument);
-  EXPECT_THROW(BoxFilter<double>{std::nan("")}, std::invalid_argument);
-  EXPECT_THROW(BoxFilter<Packet>(Packet(-1)), std::invalid_argument);
-}
+TEST(BoxFilter, RefusesARadiusThatIsNone) { testing::expect_radius_refused<BoxFilter>(); }
 
 TEST(TentFilter, IsOneAtTheCentreAndZeroAtTheNeighbours) {
   const TentFilter<double> tent;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -112,6 +113,37 @@ RC_GTEST_PROP(FresnelConductor, ThatAbsorbsNothingIsADielectric, ()) {
 
 void expect_in_packets(double exact, const Packet& value) {
   for (double lane : lanes_of(value)) EXPECT_NEAR(lane, exact, 1e-6);
+}
+
+// What rounding may do to a cosine is taken as it is.
+template <class Real>
+void expect_defined_in_its_domain_only() {
+  const Real rounding(256 * ulp<Real>);
+  for (const Real edge : {Real(0), Real(1)}) {  // the slopes there are below 16
+    const Real beyond = edge + (2 * edge - 1) * rounding;
+    const auto differs = [&](const auto& f) { return std::abs(f(beyond) - f(edge)) / rounding; };
+    EXPECT_LE(differs([](Real c) { return fresnel_dielectric(c, Real(1.5)); }), 16) << edge;
+    EXPECT_LE(differs([](Real c) { return fresnel_conductor(c, Real(1.5), Real(2)); }), 16) << edge;
+  }
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  for (const Real cosine : {Real(-0.5), Real(1.5), nan}) {
+    EXPECT_TRUE(std::isnan(fresnel_dielectric(cosine, Real(1.5)))) << cosine;
+    EXPECT_TRUE(std::isnan(fresnel_dielectric(cosine, Real(0.5)))) << cosine;
+    EXPECT_TRUE(std::isnan(fresnel_conductor(cosine, Real(1.5), Real(2)))) << cosine;
+  }
+  for (const Real eta : {Real(0), Real(-1.5), nan, infinity<Real>}) {
+    EXPECT_TRUE(std::isnan(fresnel_dielectric(Real(0.5), eta))) << eta;
+    EXPECT_TRUE(std::isnan(fresnel_conductor(Real(0.5), eta, Real(2)))) << eta;
+  }
+  EXPECT_TRUE(std::isnan(fresnel_conductor(Real(0.5), Real(1.5), Real(-2))));
+  EXPECT_TRUE(std::isnan(fresnel_conductor(Real(0.5), Real(1.5), nan)));
+}
+
+TEST(Fresnel, IsNotANumberOutsideItsDomain) {
+  expect_defined_in_its_domain_only<double>();
+  expect_defined_in_its_domain_only<float>();
+  EXPECT_TRUE(all(xsimd::isnan(fresnel_dielectric(Packet(0.5f), Packet(-1.0f)))));
+  EXPECT_TRUE(all(xsimd::isnan(fresnel_conductor(Packet(-0.5f), Packet(1.5f), Packet(2.0f)))));
 }
 
 TEST(Fresnel, IsTheSameInPackets) {

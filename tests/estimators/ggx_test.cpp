@@ -121,6 +121,37 @@ RC_GTEST_PROP(GgxVisibleNormals, InvertsItsSamples, ()) {
   RC_ASSERT((back - u).norm() <= 1e-10);
 }
 
+// At the edges the turn is lost where the normal is the top of the cap, or the bottom, and 0 and 1 are one: what counts
+// is how far apart the points of the cap are.
+template <class Real>
+void expect_inverse_at_the_edges(const Vec3<Real>& out, Real alpha, const Vec2<Real>& u) {
+  const GgxVisibleNormals<Real> normals({alpha, alpha}, out);
+  const Real tolerance = Real(16) * ulp<Real> / alpha;
+  const Vec2<Real> back = normals.invert(normals.sample(u));
+  RC_ASSERT(back.x() >= 0 && back.x() <= 1 + tolerance);
+  RC_ASSERT(back.y() >= 0 && back.y() <= 1);
+  RC_ASSERT(std::abs(back.x() - u.x()) <= tolerance);
+  const Real radius = std::sqrt(u.x() * (1 - u.x()));
+  RC_ASSERT(std::abs(std::sin(pi<Real> * (back.y() - u.y()))) * radius <= tolerance);
+}
+
+RC_GTEST_PROP(GgxVisibleNormals, InvertsItsSamplesAtTheEdges, ()) {
+  const Vec3<double> out = *direction_above();
+  const double alpha = *roughness();
+  for (const Vec2<double>& u : testing::edge_points()) expect_inverse_at_the_edges<double>(out, alpha, u);
+  for (const Vec2<float>& u : testing::edge_points_float()) {
+    expect_inverse_at_the_edges<float>(out.cast<float>(), std::max(0.01f, static_cast<float>(alpha)), u);
+  }
+}
+
+RC_GTEST_PROP(GgxVisibleNormals, HasNoNumbersForANormalThatTurnsAway, ()) {
+  const Vec3<double> out = *direction_above();
+  const GgxVisibleNormals<double> normals({*roughness(), *roughness()}, out);
+  const Vec3<double> m = *direction_above();
+  RC_PRE(std::abs(out.dot(m)) > 1e-6);
+  RC_ASSERT((normals.invert(m).x() > 1) == (out.dot(m) < 0));
+}
+
 // The warp maps areas of the square to solid angles: |dm/du x dm/dv| = 1/p.
 RC_GTEST_PROP(GgxVisibleNormals, HasTheJacobianOneOverItsDensity, ()) {
   const GgxVisibleNormals<double> normals(Ggx<double>(*roughness(), *roughness()), *direction_above());

@@ -110,7 +110,9 @@ TEST(Glossy, RefusesAnAlbedoOrAnExponentThatIsNone) {
   EXPECT_THROW(Glossy<double>(Rgb<double>(1.1, 0, 0), 5), std::invalid_argument);
   EXPECT_THROW(Glossy<double>(Rgb<double>(0, -0.1, 0), 5), std::invalid_argument);
   EXPECT_THROW(Glossy<double>(Rgb<double>(0, 0, std::nan("")), 5), std::invalid_argument);
-  EXPECT_THROW(Glossy<double>(albedo, -1), std::invalid_argument);
+  for (double wrong : {-1.0, infinity<double>, std::nan("")}) {
+    EXPECT_THROW(Glossy<double>(albedo, wrong), std::invalid_argument) << wrong;
+  }
   EXPECT_THROW((Glossy<double, CosineHemisphere>(albedo, -1)), std::invalid_argument);
 }
 

@@ -58,6 +58,12 @@ TEST(Lambertian, ReflectsItsAlbedoInAllDirectionsAbove) {
   EXPECT_TRUE((surface.albedo({0, 0.8, -0.6}) == 0).all());
 }
 
+TEST(Lambertian, IsBlackFromBelow) {
+  const Lambertian<double> surface(albedo);
+  EXPECT_TRUE((surface.eval({0, 0.8, -0.6}, up) == 0).all());
+  EXPECT_TRUE((surface.sample({0, 0.8, -0.6}, {0.25, 0.5}).weight == 0).all());
+}
+
 TEST(Lambertian, WantsAnAlbedoInZeroToOne) {
   EXPECT_NO_THROW(Lambertian<double>(Rgb<double>(0, 0.5, 1)));
   for (double wrong : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {

@@ -30,6 +30,7 @@ TEST(ConstantReflectance, RefusesWhatNoSurfaceReflects) {
   EXPECT_THROW(ConstantReflectance<double>({0.5, 1.1, 0.5}), std::invalid_argument);
   EXPECT_THROW(ConstantReflectance<double>({0.5, 0.5, -0.1}), std::invalid_argument);
   EXPECT_THROW(SchlickReflectance<double>({std::nan(""), 0.5, 0.5}), std::invalid_argument);
+  EXPECT_THROW(SchlickReflectance<double>({0.5, 0.5, 1.1}), std::invalid_argument);
 }
 
 TEST(FresnelReflectance, IsThatOfASmoothConductor) {
@@ -38,8 +39,16 @@ TEST(FresnelReflectance, IsThatOfASmoothConductor) {
   EXPECT_TRUE((reflectance(0.5) == fresnel_conductor(0.5, eta, k)).all());
   // At normal incidence ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2).
   EXPECT_NEAR(reflectance(1)[0], (0.64 + 15.21) / (1.44 + 15.21), 1e-14);
-  EXPECT_THROW(FresnelReflectance<double>(eta, -k), std::invalid_argument);
-  EXPECT_THROW(FresnelReflectance<double>(eta * 0, k), std::invalid_argument);
+}
+
+TEST(FresnelReflectance, RefusesAnIndexThatIsNone) {
+  const Rgb<double> eta(0.2, 0.9, 1.1);
+  for (double wrong : {0.0, -1.0, infinity<double>, std::nan("")}) {
+    EXPECT_THROW(FresnelReflectance<double>(Rgb<double>(1, wrong, 1), eta), std::invalid_argument) << wrong;
+  }
+  for (double wrong : {-1e-9, infinity<double>, std::nan("")}) {
+    EXPECT_THROW(FresnelReflectance<double>(eta, Rgb<double>(1, 1, wrong)), std::invalid_argument) << wrong;
+  }
 }
 
 TEST(SchlickReflectance, RisesFromNormalToWhite) {

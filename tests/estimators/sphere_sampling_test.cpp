@@ -88,6 +88,7 @@ TEST(SphereLight, TakesAPointForOneOfItsSurfaceWhenToldSo) {
 
 TEST(SphereLight, RefusesARadiusThatIsNotPositive) {
   EXPECT_THROW(Light(origin, 0), std::invalid_argument);
+  EXPECT_THROW(Light(origin, -1), std::invalid_argument);
   EXPECT_THROW(Light(origin, std::nan("")), std::invalid_argument);
 }
 

@@ -25,6 +25,7 @@ TEST(TestCounts, CertifiesCountsAsChanceMakesThem) {
   const Finding finding = test_counts(trial, even_cells(16), plausible);
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_EQ(finding.guarantee, Guarantee::asymptotic);
+  EXPECT_TRUE(finding.note.starts_with("asymptotic: chi-square")) << finding.note;
   EXPECT_LT(finding.interval.hi, 0.05);
   EXPECT_EQ(finding.token, "0000000000000001");
 }

@@ -26,6 +26,7 @@ DrawBlock draws_of(const Quantile& quantile) {
 TEST(SequentialT, CertifiesTheMeanOfAnExponentialLaw) {
   const Finding finding = sequential_t_test(trial, 1, 1, draws_of([](double u, auto) { return -std::log(u); }));
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
+  EXPECT_TRUE(finding.note.starts_with("asymptotic: Student")) << finding.note;
   EXPECT_EQ(finding.guarantee, Guarantee::asymptotic);
   EXPECT_EQ(finding.token, "0000000000000001");
   EXPECT_GT(finding.interval.lo, -0.05);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <vector>
 
@@ -13,28 +14,40 @@ struct SpikyPixels {
   double mean(std::size_t pixel) const { return p[pixel] * spike[pixel]; }
 };
 
+/// Draws for an allocation, one at a time: `draw(pixel, sample)`.
+template <class Draw>
+auto one_by_one(Draw draw) {
+  return [draw](std::size_t pixel, std::uint64_t first, std::uint64_t n) {
+    std::vector<double> samples;
+    for (std::uint64_t i = 0; i < n; ++i) samples.push_back(draw(pixel, first + i));
+    return samples;
+  };
+}
+
 /// The exact mean of every pixel of `form.estimate(draw)`: the sum over all outcomes of the first `samples` draws
-/// of each pixel, times their probability. No randomness. Throws std::logic_error when the form asks for a later
-/// draw.
+/// that it asks for of each pixel, times their probability. No randomness. Throws std::logic_error when the form asks
+/// for more.
 template <class Form>
 std::vector<double> mean_over_every_outcome(const SpikyPixels& pixels, std::uint64_t samples, const Form& form) {
   const std::uint64_t bits = pixels.p.size() * samples;
   std::vector<double> mean(pixels.p.size(), 0.0);
   for (std::uint64_t outcome = 0; outcome < std::uint64_t{1} << bits; ++outcome) {
-    const auto hits = [&](std::size_t pixel, std::uint64_t sample) {
-      return (outcome >> (pixel * samples + sample) & 1) != 0;
+    const auto hits = [&](std::size_t pixel, std::uint64_t place) {
+      return (outcome >> (pixel * samples + place) & 1) != 0;
     };
+    std::vector<std::map<std::uint64_t, std::uint64_t>> asked(pixels.p.size());  // the place of a sample's number
     const auto draw = [&](std::size_t pixel, std::uint64_t sample) {
-      if (sample >= samples) throw std::logic_error("a draw beyond those that are enumerated");
-      return hits(pixel, sample) ? pixels.spike[pixel] : 0;
+      const std::uint64_t place = asked[pixel].try_emplace(sample, asked[pixel].size()).first->second;
+      if (place >= samples) throw std::logic_error("a draw beyond those that are enumerated");
+      return hits(pixel, place) ? pixels.spike[pixel] : 0;
     };
     double probability = 1;
     for (std::size_t pixel = 0; pixel < pixels.p.size(); ++pixel) {
-      for (std::uint64_t sample = 0; sample < samples; ++sample) {
-        probability *= hits(pixel, sample) ? pixels.p[pixel] : 1 - pixels.p[pixel];
+      for (std::uint64_t place = 0; place < samples; ++place) {
+        probability *= hits(pixel, place) ? pixels.p[pixel] : 1 - pixels.p[pixel];
       }
     }
-    const std::vector<double> image = form.estimate(draw);
+    const std::vector<double> image = form.estimate(one_by_one(draw));
     for (std::size_t pixel = 0; pixel < mean.size(); ++pixel) mean[pixel] += probability * image[pixel];
   }
   return mean;
@@ -46,14 +59,14 @@ class CountedDraws {
   explicit CountedDraws(std::size_t pixels) : seen_(pixels) {}
 
   auto draw() {
-    return [this](std::size_t pixel, std::uint64_t sample) {
+    return one_by_one([this](std::size_t pixel, std::uint64_t sample) {
       auto& seen = seen_.at(pixel);
       if (sample >= seen.size()) seen.resize(sample + 1, false);
       repeated_ = repeated_ || seen[sample];
       seen[sample] = true;
       ++total_;
       return static_cast<double>((7 * pixel + 3 * sample) % 11);  // something that differs
-    };
+    });
   }
   std::uint64_t total() const { return total_; }
   bool repeated() const { return repeated_; }

@@ -61,6 +61,15 @@ void expect_packets_like_double(const Make& make, double radius, double offset_e
   }
 }
 
+/// A radius that is not positive and finite is refused.
+template <template <class> class Filter>
+void expect_radius_refused() {
+  for (double wrong : {0.0, -1.0, infinity<double>, std::nan("")}) {
+    EXPECT_THROW(Filter<double>{wrong}, std::invalid_argument) << wrong;
+    EXPECT_THROW(Filter<Packet>{rounded<Packet>(wrong)}, std::invalid_argument) << wrong;
+  }
+}
+
 /// The warp's derivative along each axis is one over that axis's density: it inverts the distribution function.
 template <class Filter>
 bool has_the_jacobian_one_over_its_density(const Filter& filter, const Vec2<double>& u, double tolerance) {

@@ -133,4 +133,25 @@ std::vector<std::string> components_without_papers(const fs::path& root, const s
   return problems;
 }
 
+std::vector<std::string> missing_tests_of_bad_input(const fs::path& root) {
+  static const std::regex definition(R"(^(?:TEST|TYPED_TEST|RC_GTEST_PROP)\((\w+), (\w+).*$)");
+  static const std::regex mention(R"(`([A-Z]\w+\.[A-Z]\w+)`)");
+  std::set<std::string> tests;
+  for (const fs::path& file : sources(root / "tests")) {
+    for (const std::string& line : lines_of(file)) {
+      std::smatch match;
+      if (std::regex_match(line, match, definition)) tests.insert(match[1].str() + "." + match[2].str());
+    }
+  }
+  const std::string docs = read_file((root / "docs/estimators.md").string());
+  const std::size_t start = docs.find("\n# Bad input\n");
+  if (start == std::string::npos) return {"docs/estimators.md has no table of bad input"};
+  const std::string table = docs.substr(start);
+  std::vector<std::string> problems;
+  for (std::sregex_iterator named(table.begin(), table.end(), mention), end; named != end; ++named) {
+    if (!tests.contains((*named)[1])) problems.push_back("there is no test " + (*named)[1].str());
+  }
+  return problems;
+}
+
 }  // namespace fairlight::testing

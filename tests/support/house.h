@@ -22,4 +22,7 @@ std::vector<std::string> foreign_includes_in_stats(const std::filesystem::path& 
 std::vector<std::string> components_without_papers(const std::filesystem::path& root,
                                                    const std::set<std::string>& registered);
 
+/// Every line of the table of bad input, the last part of docs/estimators.md, names tests that exist, as `Suite.Test`.
+std::vector<std::string> missing_tests_of_bad_input(const std::filesystem::path& root);
+
 }  // namespace fairlight::testing

@@ -5,6 +5,7 @@
 #include <fairlight/estimators/splitting.h>
 #include <fairlight/estimators/stratification.h>
 #include <fairlight/validation/analytic/integrals.h>
+#include <fairlight/validation/laws.h>
 
 namespace fairlight {
 
@@ -26,16 +27,6 @@ struct PeakAtOneSide {
     const Real x = mirrored ? Real(Real(1) - point.x()) : point.x();
     return Density<Measure, Real>(Real(4) * x * x * x);
   }
-};
-
-/// Uniform on the unit square.
-template <class Real>
-struct UniformSquare {
-  using Scalar = Real;
-  using Point = Vec2<Real>;
-  using Measure = UnitCube;
-  Point sample(const Vec2<Real>& u) const { return u; }
-  Density<Measure, Real> pdf(const Point&) const { return Density<Measure, Real>(Real(1)); }
 };
 
 /// Two peaks on a slope, f = 2 x^3 + (1 - x)^3 + y, whose integral over the unit square is 2/4 + 1/4 + 1/2 = 5/4. By

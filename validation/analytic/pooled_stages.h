@@ -5,27 +5,28 @@
 namespace fairlight {
 
 /// The mean of a pixel under naive::PooledStages in two stages, in closed form: four pixels, each other's
-/// neighbours, whose draws are independent, 1/p with probability p and else 0, so that the truth is 1; after the
-/// pilot 12 samples more.
+/// neighbours, whose draws are 1/p with probability p and else 0, so that the truth is 1; after the pilot 12 samples
+/// more. The stages are independent; the two samples of a pilot are as well, or are strata of each other.
 ///
 /// Let a pixel's pilot of m samples have sum S, and n further samples follow. Given the pilots n is fixed, so
 ///     E[I | pilots] = (S + n 1) / (m + n).
 /// What is left is to sum over S and n; shares of 12 are whole numbers in every case, so nothing is rounded.
 class PooledSpikes {
  public:
-  /// p in (0,1).
-  explicit PooledSpikes(double p) : p_(p) {}
+  /// p in (0,1), both samples of a pilot of two meeting the spike with probability `both`: p^2 where they are
+  /// independent, 0 where p <= 1/2 and each has its half of the unit interval, as the points of any set.
+  PooledSpikes(double p, double both) : p_(p), both_(both) {}
 
   /// By deviation or variance, m = 2. A pilot varies when one of its two samples met the spike, with probability
-  /// q = 2 p (1 - p), and all that vary do so alike. With j of the other three varying, a pixel that varies gets
+  /// q = 2 (p - both), and all that vary do so alike. With j of the other three varying, a pixel that varies gets
   /// n = 12 / (1 + j); one that does not gets nothing, or 3 when j = 0, since then no pixel varies.
   double by_history() const {
-    const double q = 2 * p_ * (1 - p_);
+    const double q = 2 * (p_ - both_);
     const double none = std::pow(1 - q, 3);
     double mean = 0;
     for (int j = 0; j <= 3; ++j) mean += q * binomial(j, q) * pooled(1, 2, 12.0 / (1 + j));
-    mean += p_ * p_ * (none * pooled(2, 2, 3) + (1 - none) * pooled(2, 2, 0));
-    mean += (1 - p_) * (1 - p_) * none * pooled(0, 2, 3);
+    mean += both_ * (none * pooled(2, 2, 3) + (1 - none) * pooled(2, 2, 0));
+    mean += (1 - q - both_) * none * pooled(0, 2, 3);
     return mean;
   }
 
@@ -52,7 +53,7 @@ class PooledSpikes {
     return ways * std::pow(q, j) * std::pow(1 - q, 3 - j);
   }
 
-  double p_;
+  double p_, both_;
 };
 
 }  // namespace fairlight

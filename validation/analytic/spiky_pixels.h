@@ -9,6 +9,7 @@
 #include <fairlight/estimators/allocation_stages.h>
 #include <fairlight/stats/replicates.h>
 #include <fairlight/stats/second_order.h>
+#include <fairlight/validation/analytic/image_numbers.h>
 #include <fairlight/validation/analytic/pooled_stages.h>
 #include <fairlight/validation/claim.h>
 
@@ -25,9 +26,13 @@ struct SpikyPixels {
   std::vector<Pixel> pixels;
   double ground = 0;
 
-  double operator()(std::size_t pixel, auto& source) const {
+  template <class Source>
+  auto operator()(std::size_t pixel, Source& source) const {
+    using Real = decltype(source.next());
     const auto [mean, p] = pixels[pixel];
-    return mean * (ground + (source.next() < p ? (1 - ground) / p : 0));
+    const double dark = mean * ground;
+    return Real(select(source.next() < rounded<Real>(p), rounded<Real>(dark + mean * (1 - ground) / p),
+                       rounded<Real>(dark)));
   }
 
   /// The channel of one pixel.
@@ -50,19 +55,13 @@ inline SpikyPixels equal_spikes() {
   return {PixelGrid(2, 2), std::vector<SpikyPixels::Pixel>(4, {1, equal_spikes_p})};
 }
 
-/// Whole images, each from numbers of its own: image r has its pixels in units of its own of the trial's streams.
-template <class Pixels, class Form>
-std::vector<double> replicate_image(const StreamKey& key, const Pixels& pixels, const Form& form, std::uint64_t r) {
-  return form.estimate(PixelDraws(key, static_cast<std::uint32_t>(r * pixels.grid.size()), pixels));
-}
-
 inline double mean_of_image(const std::vector<double>& image) {
   return std::accumulate(image.begin(), image.end(), 0.0) / static_cast<double>(image.size());
 }
 
 /// Every pixel has its mean, and so has the image: one channel each.
-template <class Form>
-Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& form) {
+template <class Form, class Numbers>
+Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& form, const Numbers& numbers) {
   std::vector<Reference> references;
   Reference whole{0, 0, 0};
   const double part = 1 / static_cast<double>(spiky.grid.size());
@@ -75,9 +74,10 @@ Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& f
   whole.scale = whole.mean;
   references.push_back(whole);
   const StreamKey key(trial.seed, trial.claim);
-  return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+  const auto held = rounded_references<typename Numbers::Real>(references);
+  return test_means(trial, held, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
     for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      const std::vector<double> image = replicate_image(key, spiky, form, first + i);
+      const std::vector<double> image = form.estimate(numbers.draws(key, spiky, first + i));
       for (std::size_t pixel = 0; pixel < image.size(); ++pixel) channels[pixel][i] = image[pixel];
       channels.back()[i] = mean_of_image(image);
     }
@@ -85,39 +85,60 @@ Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& f
 }
 
 /// The row for an unbiased form with a score: on eight spiky pixels, pilot 2 or as planned.
-template <class Form>
-Claim unbiased_allocation(const std::string& name, std::vector<std::string> subjects, const std::string& source,
-                          const Form& form) {
-  return {.name = name,
+template <class Form, class Numbers = FromStreams<>>
+Claim unbiased_allocation(const std::string& name, const std::vector<std::string>& subjects,
+                          const std::string& source, const Form& form, const Numbers& numbers = {}) {
+  return {.name = name + numbers.suffix,
           .kind = "mean",
-          .subjects = std::move(subjects),
+          .subjects = with_subjects(subjects, numbers),
           .statement =
               "every one of eight pixels, of which 95 % is a steady ground and the rest spikes, and their image, "
               "has its mean over "
               "whole adaptive images",
           .source = source,
-          .margin_factor = 1,
-          .check = [form](const Trial& trial) { return check_pixels(trial, unequal_spikes(), form); }};
+          .margin_factor = numbers.margin_factor,
+          .check = [=](const Trial& trial) { return check_pixels(trial, unequal_spikes(), form, numbers); },
+          .real = real_name<typename Numbers::Real>()};
 }
 
-/// The row for the mean of the naive form's image of four equal pixels: `mean` in closed form, the truth being 1.
-/// With Sides::not_above, that it is at most that.
-template <class Form>
-Claim pooled_allocation(const std::string& name, std::vector<std::string> subjects, const std::string& statement,
-                        double mean, Sides sides, const Form& form) {
+/// The mean of the naive form's image of four equal pixels, of which the truth is 1, against `mean`.
+template <class Form, class Numbers>
+Finding check_pooled(const Trial& trial, double mean, Sides sides, const Form& form, const Numbers& numbers) {
+  const Reference reference{mean, 0, 1 / equal_spikes_p * (1 + 1e-12), 0, mean, sides};
+  const StreamKey key(trial.seed, trial.claim);
+  return test_replicates(trial, reference, [&](std::uint64_t r) {
+    return mean_of_image(form.estimate(numbers.draws(key, equal_spikes(), r)));
+  });
+}
+
+inline Claim naive_claim(const std::string& name, std::vector<std::string> subjects, const std::string& statement,
+                         std::function<Finding(const Trial&)> check) {
   return {.name = name,
           .kind = "mean",
           .subjects = std::move(subjects),
-          .statement = "biased by construction: " + statement,
+          .statement = "biased by construction: four spiky pixels " + statement,
           .source = "closed form, validation/analytic/pooled_stages.h; Kirk and Arvo 1991",
           .margin_factor = 10,
-          .check = [=](const Trial& trial) {
-            const Reference reference{mean, 0, 1 / equal_spikes_p * (1 + 1e-12), 0, mean, sides};
-            const StreamKey key(trial.seed, trial.claim);
-            return test_replicates(trial, reference, [&](std::uint64_t r) {
-              return mean_of_image(replicate_image(key, equal_spikes(), form, r));
-            });
-          }};
+          .check = std::move(check)};
+}
+
+/// The row for that mean in closed form.
+template <class Form, class Numbers>
+Claim pooled_allocation(const std::string& name, const std::vector<std::string>& subjects, double mean,
+                        const Form& form, const Numbers& numbers) {
+  const std::string statement =
+      "have the mean of the closed form, " + std::to_string(std::lround(100 * (1 - mean))) + " % too dark";
+  return naive_claim(name + numbers.suffix, with_subjects(subjects, numbers), statement,
+                     [=](const Trial& trial) { return check_pooled(trial, mean, Sides::both, form, numbers); });
+}
+
+/// The row that says that it is at most `most`.
+template <class Form>
+Claim darker_allocation(const std::string& name, double most, const Form& form) {
+  const std::string statement = "are at least " + std::to_string(std::lround(100 * (1 - most))) + " % too dark";
+  return naive_claim(name, {"PooledStages"}, statement, [=](const Trial& trial) {
+    return check_pooled(trial, most, Sides::not_above, form, FromStreams<>());
+  });
 }
 
 /// One noisy pixel among quiet ones: a draw is uniform within `reach` of 1, so its standard deviation is reach /
@@ -148,7 +169,8 @@ Claim quieter_allocation(const std::string& name, std::vector<std::string> subje
             const auto images = [&](const char* purpose, const auto& drawn) {
               const StreamKey key(trial.seed, trial.claim + purpose);
               return BoundedEstimator{[key, drawn](std::uint64_t r) {
-                                        return mean_of_image(replicate_image(key, OneNoisyPixel(), drawn, r));
+                                        const auto draws = FromStreams<>::draws(key, OneNoisyPixel(), r);
+                                        return mean_of_image(drawn.estimate(draws));
                                       },
                                       1 - reach, 1 + reach};
             };

@@ -1,6 +1,7 @@
 #include <fairlight/estimators/blackman_harris_filter.h>
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/validation/analytic/camera.h>
 #include <fairlight/validation/analytic/filters.h>
 #include <fairlight/validation/analytic/lens.h>
 #include <fairlight/validation/claims/claims.h>
@@ -62,6 +63,8 @@ void add_camera_claims(std::vector<Claim>& claims) {
   add_filters(claims);
   add_apertures(claims);
   add_lenses(claims);
+  add_mean(claims, pinhole_crossings());
+  add_mean(claims, lens_crossings());
 }
 
 }  // namespace fairlight

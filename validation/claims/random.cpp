@@ -19,7 +19,7 @@ void add_point_set(std::vector<Claim>& claims, const PointSetKind<Set>& kind) {
 
 void add_random_claims(std::vector<Claim>& claims) {
   add_law(claims, LawExperiment{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
-                                []<class Real>(std::type_identity<Real>) { return StreamPairs<Real>{}; },
+                                []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
                                 SquareDomain{0, 1}});
   claims.push_back(mean_claim<double>(product_integral()));
   claims.push_back(mean_claim<Packet>(product_integral()));

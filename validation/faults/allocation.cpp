@@ -20,13 +20,20 @@ std::vector<Claim> rows(const std::string& form, Stages... stages) {
                               Form<AllocationByNeighbours>(plan, stages...))};
 }
 
+Claim row_from_one_set() {
+  return unbiased_allocation("allocation.stages.variance", {}, source,
+                             FixedStageWeights<AllocationByVariance>(plan, 3), faults::FromOneSet());
+}
+
 }  // namespace
 
 std::vector<Fault> allocation_faults() {
-  return {{"pilot-kept", "adaptive reuse", source, rows<naive::PooledStages>("pilot")},
-          {"stages-weighed-by-counts", "adaptive reuse", source, rows<faults::StagesWeighedByCounts>("stages", 3u)},
-          {"halves-sizing-themselves", "adaptive reuse", source, rows<faults::HalvesSizingThemselves>("halves")},
-          {"halves-weighed-by-counts", "adaptive reuse", source, rows<faults::HalvesWeighedByCounts>("halves")}};
+  return {
+      {"pilot-kept", "adaptive reuse", source, rows<naive::PooledStages>("pilot")},
+      {"stages-weighed-by-counts", "adaptive reuse", source, rows<faults::StagesWeighedByCounts>("stages", 3u)},
+      {"halves-sizing-themselves", "adaptive reuse", source, rows<faults::HalvesSizingThemselves>("halves")},
+      {"halves-weighed-by-counts", "adaptive reuse", source, rows<faults::HalvesWeighedByCounts>("halves")},
+      {"sobol-continued-over-stages", "adaptive reuse", "the class of Kirk and Arvo 1991", {row_from_one_set()}}};
 }
 
 }  // namespace fairlight

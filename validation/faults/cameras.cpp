@@ -1,3 +1,4 @@
+#include <fairlight/validation/analytic/camera.h>
 #include <fairlight/validation/analytic/lens.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_cameras.h>
@@ -25,10 +26,7 @@ Fault square_aperture() {
 
 Fault unnormalised_gaussian() {
   const auto law = gaussian_law<faults::UnnormalisedGaussian>();
-  return {"gaussian-not-renormalised",
-          "support",
-          "the class of pbrt-v3 #319",
-          {law_claim(law), law_moments_claim(law), law_moments_claim<Packet>(law)}};
+  return {"gaussian-not-renormalised", "support", "the class of pbrt-v3 #319", claims_of_draws(law)};
 }
 
 Fault spherical_focus() {
@@ -40,10 +38,28 @@ Fault spherical_focus() {
            mean_claim(before), mean_claim<Packet>(before)}};
 }
 
+Fault rays_about_corners() {
+  using Wrong = faults::RaysAboutCorners;
+  return {"pixel-corner",
+          "filter",
+          "half a pixel lost: the class of Heckbert 1990, \"What are the coordinates of a pixel?\"",
+          {mean_claim(pinhole_crossings<Wrong>()), mean_claim<Packet>(pinhole_crossings<Wrong>()),
+           mean_claim(lens_crossings<Wrong>()), mean_claim<Packet>(lens_crossings<Wrong>())}};
+}
+
+Fault rays_that_share_numbers() {
+  using Wrong = faults::RaysThatShareNumbers;
+  return {"filter-and-lens-of-one-pair",
+          "streams",
+          "one pair of numbers used twice: the class of SORT #35",
+          {mean_claim(lens_crossings<Wrong>()), mean_claim<Packet>(lens_crossings<Wrong>())}};
+}
+
 }  // namespace
 
 std::vector<Fault> camera_faults() {
-  return {crowded_aperture(), square_aperture(), unnormalised_gaussian(), spherical_focus()};
+  return {crowded_aperture(), square_aperture(),    unnormalised_gaussian(),
+          spherical_focus(),  rays_about_corners(), rays_that_share_numbers()};
 }
 
 }  // namespace fairlight

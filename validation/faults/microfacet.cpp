@@ -19,20 +19,15 @@ Fault no_jacobian() {
 
 Fault unmasked() {
   const auto law = visible_normals_law<faults::UnmaskedNormals>("ggx.isotropic", {0.3, 0.3, 0.8});
-  Fault fault{"ggx-density-without-masking",
-              "sample against pdf",
-              "three-gpu-pathtracer #847",
-              {law_claim(law), law_moments_claim(law), law_moments_claim<Packet>(law)}};
+  Fault fault{"ggx-density-without-masking", "sample against pdf", "three-gpu-pathtracer #847",
+              claims_of_draws(law)};
   add(fault, conductor_density<Ggx, faults::UnmaskedNormals>("rough_conductor.density", {0.3, 0.3, 0.6}));
   return fault;
 }
 
 Fault unweighted() {
   const auto law = visible_normals_law<faults::UnweightedNormals>("ggx.anisotropic", {0.6, 0.25, 0.7});
-  Fault fault{"ggx-normals-not-visible",
-              "sample against pdf",
-              "pbrt-v4 #215",
-              {law_claim(law), law_moments_claim(law), law_moments_claim<Packet>(law)}};
+  Fault fault{"ggx-normals-not-visible", "sample against pdf", "pbrt-v4 #215", claims_of_draws(law)};
   add(fault, conductor_weight<Ggx, faults::UnweightedNormals>("rough_conductor.albedo.grazing", {0.3, 0.3, 0.05}));
   return fault;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fairlight/estimators/allocation_naive.h>
+#include <fairlight/validation/analytic/image_numbers.h>
 
 /// Wrong forms of adaptive sampling, of the class of Kirk and Arvo 1991; naive::PooledStages is the first of them.
 namespace fairlight::faults {
@@ -22,21 +23,45 @@ class StagesWeighedByCounts {
   StagedSampling<Score> sampling_;
 };
 
+/// A pixel's samples from the points of one set, stage after stage: the pilot's are strata of those that follow.
+struct FromOneSet {
+  using Real = double;
+  std::string suffix = ".sobol";
+  std::vector<std::string> subjects;
+  double margin_factor = 2;
+
+  template <class Pixels>
+  static auto draws(const StreamKey& key, const Pixels& pixels, std::uint64_t r) {
+    const std::uint32_t unit = first_number(r, pixels.grid.size());
+    return [=](std::size_t pixel, std::uint64_t first, std::uint64_t n) {
+      const OwenSobol<double> set(key, unit + static_cast<std::uint32_t>(pixel), 128);
+      std::vector<double> samples;
+      for (std::uint64_t i = first; i < first + n; ++i) {
+        auto source = set.source(static_cast<std::uint32_t>(i));
+        samples.push_back(pixels(pixel, source));
+      }
+      return samples;
+    };
+  }
+};
+
 /// Two halves, each sized by its own pilot.
 template <AllocationScore Score>
 class HalvesSizingThemselves {
  public:
-  explicit HalvesSizingThemselves(AllocationPlan plan) : half_({plan.grid, plan.budget / 2, plan.pilot}) {}
+  explicit HalvesSizingThemselves(AllocationPlan plan)
+      : plan_(plan), half_({plan.grid, plan.budget / 2, plan.pilot}) {}
 
   template <class Draw>
   std::vector<double> estimate(const Draw& draw) const {
-    std::vector<double> image = half_.estimate([&](std::size_t i, std::uint64_t s) { return draw(i, 2 * s); });
-    const auto odd = half_.estimate([&](std::size_t i, std::uint64_t s) { return draw(i, 2 * s + 1); });
-    for (std::size_t i = 0; i < image.size(); ++i) image[i] = (image[i] + odd[i]) / 2;
+    std::vector<double> image = half_.estimate(draw);
+    const auto other = half_.estimate(detail::from_sample(plan_.budget, draw));
+    for (std::size_t i = 0; i < image.size(); ++i) image[i] = (image[i] + other[i]) / 2;
     return image;
   }
 
  private:
+  AllocationPlan plan_;
   naive::PooledStages<Score> half_;
 };
 
@@ -49,15 +74,14 @@ class HalvesWeighedByCounts {
 
   template <class Draw>
   std::vector<double> estimate(const Draw& draw) const {
-    const auto even = [&](std::size_t i, std::uint64_t s) { return draw(i, 2 * s); };
-    const auto odd = [&](std::size_t i, std::uint64_t s) { return draw(i, 2 * s + 1); };
-    PixelHistories a = detail::draw_pilot(plan_, even);
-    PixelHistories b = detail::draw_pilot(plan_, odd);
+    const auto other = detail::from_sample(plan_.budget, draw);
+    PixelHistories a = detail::draw_pilot(plan_, draw);
+    PixelHistories b = detail::draw_pilot(plan_, other);
     const std::uint64_t rest = plan_.budget / 2 - plan_.pilot * plan_.grid.size();
     const SampleCounts more_a = share_out(rest, Score::of(plan_.grid, b), 0);
     const SampleCounts more_b = share_out(rest, Score::of(plan_.grid, a), 0);
-    detail::merge(a, detail::draw_stage(even, a, more_a));
-    detail::merge(b, detail::draw_stage(odd, b, more_b));
+    detail::merge(a, detail::draw_stage(draw, a, more_a));
+    detail::merge(b, detail::draw_stage(other, b, more_b));
     detail::merge(a, b);
     return detail::means(a);
   }

@@ -2,6 +2,7 @@
 
 #include <fairlight/estimators/gaussian_filter.h>
 #include <fairlight/estimators/lens.h>
+#include <fairlight/render/camera.h>
 
 /// Wrong filters and lenses, each a bug of a class that somebody shipped; see wrong_components.h.
 namespace fairlight::faults {
@@ -65,6 +66,30 @@ class SphericalFocus {
  private:
   Real focus_;
   Aperture aperture_;
+};
+
+/// The filter is drawn about a pixel's corner: half a pixel is missing.
+struct RaysAboutCorners {
+  template <class Filter, class Source>
+  auto operator()(const Camera& camera, const Filter& filter, int x, int y, int width, int height,
+                  Source& source) const {
+    using Real = typename Filter::Scalar;
+    const Vec2<Real> place = filter.sample(next_pair<Real>(source));
+    return camera.ray<Real>(place.x() + rounded<Real>(x), place.y() + rounded<Real>(y), width, height, source);
+  }
+};
+
+/// The filter and the lens are given the same numbers.
+struct RaysThatShareNumbers {
+  template <class Filter, class Source>
+  auto operator()(const Camera& camera, const Filter& filter, int x, int y, int width, int height,
+                  Source& source) const {
+    Source same = source;
+    using Real = typename Filter::Scalar;
+    const Vec2<Real> place = filter.sample(next_pair<Real>(source));
+    return camera.ray<Real>(place.x() + rounded<Real>(x + 0.5), place.y() + rounded<Real>(y + 0.5), width, height,
+                            same);
+  }
 };
 
 }  // namespace fairlight::faults
