@@ -32,10 +32,11 @@ int main(int argc, char** argv) {
   compare("uniform sphere", []<class Real>(std::type_identity<Real>) { return UniformSphere<Real>(); });
   compare("cone", []<class Real>(std::type_identity<Real>) { return UniformCone<Real>(Real(0.25)); });
   compare("power-cosine lobe", []<class Real>(std::type_identity<Real>) {
-    return PowerCosineLobe<Real>(Vec3<Real>(Real(0.6f), Real(0), Real(0.8f)), Real(20));
+    return PowerCosineLobe<Real>(Vec3<Real>(rounded<Real>(0.6), Real(0), rounded<Real>(0.8)), Real(20));
   });
   compare("GGX visible normals", []<class Real>(std::type_identity<Real>) {
-    return GgxVisibleNormals<Real>({Real(0.25), Real(0.5)}, Vec3<Real>(Real(0.6f), Real(0), Real(0.8f)));
+    return GgxVisibleNormals<Real>({Real(0.25), Real(0.5)},
+                                   Vec3<Real>(rounded<Real>(0.6), Real(0), rounded<Real>(0.8)));
   });
   compare("sphere by area",
           []<class Real>(std::type_identity<Real>) { return UniformSphereArea<Real>(Real(2.5)); });
