@@ -151,7 +151,8 @@ class ContributionChoice {
 };
 
 /// The sum of terms from one of them, chosen by `Choice` and divided by its probability; 0 where there is none to choose.
-/// Unbiased when no term that is not 0 has probability 0. Bound: the largest of term over probability.
+/// Unbiased when no term that is not 0 has probability 0.
+/// Bound    the hull of the terms' bounds, each over its probability; nothing, where nothing may be chosen
 /// Source   Shirley, Wang, Zimmerman 1996, 5; the paper, A.1
 template <class Choice>
 class OneBy {
@@ -167,6 +168,20 @@ class OneBy {
     const Pick<Real> pick = choice_.sample(next_pair<Real>(source));
     if (!any(pick.probability.value() != Real(0))) return zero<Value>();
     return over_existing(Value(term(pick.index, source)), pick.probability);
+  }
+
+  /// From those of the terms, and the probabilities with which they are chosen, or the least that these may be. Throws
+  /// std::invalid_argument unless there are as many of them, in [0,1].
+  static Bound bound(std::span<const Bound> terms, std::span<const double> probabilities) {
+    if (terms.size() != probabilities.size())
+      throw std::invalid_argument("terms without a probability, or the other way round (their numbers differ)");
+    Bound any{infinity<double>, -infinity<double>};
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const double p = probabilities[i];
+      if (!(p >= 0 && p <= 1)) throw std::invalid_argument("a probability must be in [0,1] (it divides the term)");
+      if (p > 0) any = hull(any, 1 / p * terms[i]);
+    }
+    return any.lower <= any.upper ? any : Bound{0, 0};
   }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 
 #include <fairlight/estimators/concepts.h>
@@ -41,8 +42,8 @@ class UniformChoice {
   int n_;
 };
 
-/// The sum of n terms, each estimated: term(i, source) for every i; 0 where there are none. Bound: the sum of the terms'
-/// bounds.
+/// The sum of n terms, each estimated: term(i, source) for every i; 0 where there are none.
+/// Bound    the sum of the terms' bounds
 /// Source   the paper, A.1 ("one random point from each of the luminaires")
 struct AllOf {
   template <class Real, UniformSource<Real> Source, class Term>
@@ -51,11 +52,18 @@ struct AllOf {
     for (int i = 0; i < n; ++i) total += term(i, source);
     return total;
   }
+
+  /// From those of the terms.
+  static Bound bound(std::span<const Bound> terms) {
+    Bound total{0, 0};
+    for (const Bound& term : terms) total = total + term;
+    return total;
+  }
 };
 
 /// The sum of n terms from one of them, chosen uniformly and divided by its probability: |L| times the term; 0 where there
 /// are none.
-/// Bound: n times the largest of the terms' bounds.
+/// Bound    n times the hull of the terms' bounds
 /// Source   the paper, A.1 (the two-dice argument)
 struct OneOf {
   template <class Real, UniformSource<Real> Source, class Term>
@@ -64,6 +72,14 @@ struct OneOf {
     if (n == 0) return zero<Value>();
     const Pick<Real> pick = UniformChoice<Real>(n).sample(next_pair<Real>(source));
     return Value(term(pick.index, source) / pick.probability);
+  }
+
+  /// From those of the terms.
+  static Bound bound(std::span<const Bound> terms) {
+    if (terms.empty()) return {0, 0};
+    Bound any = terms.front();
+    for (const Bound& term : terms) any = hull(any, term);
+    return static_cast<double>(terms.size()) * any;
   }
 };
 

@@ -120,9 +120,9 @@ class SphereLight {
   /// lights are on the sphere itself, which rounding would put to either side of it.
   SphereLight(const Vec3<Real>& centre, Real radius, const Mask<Real>& on_surface = Mask<Real>(false))
       : centre_(centre), radius_(radius), on_surface_(on_surface) {
-    if (!all(radius > Real(0) && radius < Real(infinity<Real>)) || !all_finite(centre))
-      throw std::invalid_argument(
-          "a sphere's radius must be positive and finite, and so its centre (its area divides)");
+    require_positive(radius, "a sphere's radius", "its area divides");
+    if (!all_finite(centre))
+      throw std::invalid_argument("a sphere's centre must be finite (points on it are drawn)");
   }
 
   Real radius() const { return radius_; }

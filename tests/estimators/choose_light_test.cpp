@@ -199,6 +199,18 @@ TEST(OneBy, DividesTheTermByItsProbability) {
   EXPECT_TRUE(source.exhausted());
 }
 
+// 2 to 4 with probability 1/4, -3 with 3/4; what is never chosen bounds nothing.
+TEST(OneBy, LiesWithinTheHullOfTheBoundsOverTheirProbabilities) {
+  using One = OneBy<PowerChoice<double>>;
+  const std::vector<Bound> terms{{2, 4}, {-3, -3}, {}};
+  const std::vector<double> probabilities{0.25, 0.75, 0};
+  EXPECT_EQ(One::bound(terms, probabilities), (Bound{-4, 16}));
+  EXPECT_EQ(One::bound(terms, std::vector<double>(3, 0)), (Bound{0, 0}));
+  EXPECT_EQ(One::bound({}, {}), (Bound{0, 0}));
+  EXPECT_THROW(One::bound(terms, std::vector<double>(2, 0.5)), std::invalid_argument);
+  EXPECT_THROW(One::bound(terms, std::vector<double>{0.5, 0.5, std::nan("")}), std::invalid_argument);
+}
+
 TEST(OneBy, RefusesAnotherNumberOfTerms) {
   ScriptedSource source({0.5, 0, 0.25});
   const auto term = [](int, ScriptedSource&) { return 1.0; };

@@ -77,6 +77,18 @@ TEST(OneOf, WeightsTheTermByTheirNumber) {
   EXPECT_TRUE(source.exhausted());
 }
 
+TEST(AllOf, LiesWithinTheSumOfTheBounds) {
+  const std::vector<Bound> terms{{0, 2}, {-1, 3}};
+  EXPECT_EQ(AllOf::bound(terms), (Bound{-1, 5}));
+  EXPECT_EQ(AllOf::bound({}), (Bound{0, 0}));
+}
+
+TEST(OneOf, LiesWithinTheirNumberTimesTheHull) {
+  const std::vector<Bound> terms{{1, 2}, {-1, 3}, {2, 2}};
+  EXPECT_EQ(OneOf::bound(terms), (Bound{-3, 9}));
+  EXPECT_EQ(OneOf::bound({}), (Bound{0, 0}));
+}
+
 TEST(SumOfNothing, IsZero) {
   ScriptedSource none({});
   EXPECT_EQ(AllOf::sum<double>(0, none, term), 0);

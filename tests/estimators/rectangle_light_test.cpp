@@ -149,6 +149,12 @@ RC_GTEST_PROP(RectangleLight, SamplesWithItsDensity, ()) {
   check(RectangleBySolidAngle<double>(place.light()));
 }
 
+TEST(RectangleLight, TakesADirectionThatIsNearlyUnit) {
+  const Point towards = Point(0.5, -0.25, 1).normalized();
+  testing::expect_density_off_by_as_much_as_the_direction(RectangleByArea<double>(face), origin, towards);
+  testing::expect_density_off_by_as_much_as_the_direction(RectangleBySolidAngle<double>(face), origin, towards);
+}
+
 TEST(RectangleLight, IsTheSameInPackets) {
   const auto packet = [](double x, double y, double z) { return testing::in_packets({x, y, z}); };
   const RectangleLight<Packet> packets(packet(-1, -1, 1), packet(2, 0, 0), packet(0, 2, 0));

@@ -171,6 +171,16 @@ RC_GTEST_PROP(SphereByArea, SamplesWithItsDensity, ()) {
   check(SphereByVisibleHemisphere<double>(sphere));
 }
 
+TEST(SphereSampling, TakesADirectionThatIsNearlyUnit) {
+  for (const Point& from : {origin, Point(0.5, -1, 5)}) {
+    const Point towards = (Point(0.25, 0.5, 5) - from).normalized();
+    testing::expect_density_off_by_as_much_as_the_direction(SphereByArea<double>(above), from, towards);
+    testing::expect_density_off_by_as_much_as_the_direction(SphereByVisibleHemisphere<double>(above), from,
+                                                            towards);
+    testing::expect_density_off_by_as_much_as_the_direction(SphereByCone<double>(above), from, towards);
+  }
+}
+
 TEST(SphereSampling, IsTheSameInPackets) {
   for (const Point& from : {Point(0.5, -1, 0.25), Point(0.5, -1, 5), Point(40, 3, -7)}) {
     for (const Vec2<double>& u :

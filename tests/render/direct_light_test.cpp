@@ -47,12 +47,22 @@ TEST(DirectLight, IsZeroInAShadow) {
   EXPECT_TRUE((DirectLight<AllOf>().estimate(floor.scene, floor.vertex, floor.bsdf, source) == 0).all());
 }
 
+// A black surface is no luminaire. One by weights draws its two numbers before it knows that there is nothing to choose.
 TEST(DirectLight, IsZeroWhereNothingEmits) {
   Scene dark;
   dark.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
-  ScriptedSource none({});
+  dark.add_sphere({0, 5, 0}, 1, half, black);
   const Floor floor;
-  EXPECT_TRUE((DirectLight<OneOf>().estimate(dark, floor.vertex, floor.bsdf, none) == 0).all());
+  const auto expect_zero = [&](const auto& direct, ScriptedSource source) {
+    EXPECT_TRUE((direct.estimate(dark, floor.vertex, floor.bsdf, source) == 0).all());
+    EXPECT_TRUE(source.exhausted());
+  };
+  const auto weight = [](int) -> double { throw std::logic_error("there is no light to be weighed"); };
+  const OneBy by_contribution(ContributionChoice<double, decltype(weight)>(0, weight));
+  expect_zero(DirectLight<AllOf>(), ScriptedSource({}));
+  expect_zero(DirectLight<OneOf>(), ScriptedSource({}));
+  expect_zero(DirectLight(one_by_power(dark)), ScriptedSource({0.5, 0.25}));
+  expect_zero(DirectLight(by_contribution), ScriptedSource({0.5, 0.25}));
 }
 
 // Inside a sphere that emits, cos cos / d^2 = 1 / (4 r^2) for every pair of points, so every draw is rho Le.
@@ -91,6 +101,20 @@ TEST(DirectLight, ChoosesALightByItsPower) {
               1e-14);
   ScriptedSource below({0.26, 0, 0, 0});
   EXPECT_EQ(direct.estimate(floor.scene, floor.vertex, floor.bsdf, below)[0], 0);
+}
+
+// By what each may bring to the vertex: that below the floor nothing, so that every draw is of the one above.
+TEST(DirectLight, ChoosesALightByItsContribution) {
+  Floor floor;
+  floor.scene.add_sphere({0, -5, 0}, 1, black, 3 * lit);
+  const auto above = [&](int i) {
+    return floor.scene.luminaires()[static_cast<std::size_t>(i)].centre.y() > 0 ? 1.0 : 0.0;
+  };
+  const OneBy by_contribution(ContributionChoice<double, decltype(above)>(2, above));
+  const DirectLight<std::remove_cv_t<decltype(by_contribution)>, SphereByCone> direct(by_contribution);
+  ScriptedSource source({0.99, 0, 0, 0});
+  const double cone = 2 * M_PI * (1 - std::sqrt(24) / 5);
+  EXPECT_NEAR(direct.estimate(floor.scene, floor.vertex, floor.bsdf, source)[0], 3 * 0.5 / M_PI * cone, 1e-14);
 }
 
 TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
