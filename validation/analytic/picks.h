@@ -123,20 +123,18 @@ inline auto sum_by_number(const std::string& name, const ManyLights& lights) {
 }
 
 /// Every one of them, estimated: up to twice its term, uniformly.
-template <class Every>
 struct EachWithNoise {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
     const auto noisy = [&](auto i, Source& numbers) {
       return Real(Real(2) * Real(numbers.next()) * term(i, numbers));
     };
-    return Every::template sum<Real>(n, source, noisy);
+    return AllOf::sum<Real>(n, source, noisy);
   }
 };
 
-template <class Every = AllOf>
-auto sum_of_all(const std::string& name, const ManyLights& lights) {
-  const auto make = []<class Real>(std::type_identity<Real>) { return EachWithNoise<Every>(); };
+inline auto sum_of_all(const std::string& name, const ManyLights& lights) {
+  const auto make = []<class Real>(std::type_identity<Real>) { return EachWithNoise(); };
   return sum_of_lights(name, {"AllOf"}, "an estimate of each", lights, make, lights.sum());
 }
 
