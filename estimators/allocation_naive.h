@@ -18,8 +18,9 @@ namespace fairlight::naive {
 template <AllocationScore Score>
 class PooledStages {
  public:
-  /// Throws std::invalid_argument outside the domain.
-  explicit PooledStages(AllocationPlan plan, std::uint64_t stages = 2) : sampling_(plan, stages, 0) {}
+  /// `least` samples of every pixel in each stage after the pilot. Throws std::invalid_argument outside the domain.
+  explicit PooledStages(AllocationPlan plan, std::uint64_t stages = 2, std::uint64_t least = 0)
+      : sampling_(plan, stages, least) {}
 
   template <class Draw>
   std::vector<double> estimate(const Draw& draw) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fairlight/estimators/existing.h>
+#include <fairlight/estimators/long_sum.h>
 #include <fairlight/estimators/pick_one.h>
 
 namespace fairlight {
@@ -52,7 +53,9 @@ class PowerChoice {
     for (int step = 1 << steps_ >> 1; step > 0; step >>= 1) {
       const Index<Real> middle = whole(Real(index + rounded<Real>(step - 1)));
       const Real upper = gather(upper_.data(), middle);
-      const Mask<Real> passed = upper < u.x() || (upper == u.x() && gather(lower_.data(), middle) <= u.y());
+      const Mask<Real> equal = upper == u.x();
+      Mask<Real> passed = upper < u.x();
+      if (any(equal)) passed = passed || (equal && gather(lower_.data(), middle) <= u.y());
       index += select(passed, rounded<Real>(step), Real(0));
     }
     return {whole(index), Density<Discrete, Real>(gather(probabilities_.data(), whole(index)))};
@@ -75,69 +78,72 @@ class PowerChoice {
 
 /// One of n alternatives in proportion to weights that weight(i) gives, such as what each light may bring to the point at hand,
 /// which must be positive wherever what is summed is not 0. Every weight is looked at twice: O(n) a pick. Without any
-/// weight, or with nothing to choose from, the probability of the pick is 0: there is none.
+/// weight, or with nothing to choose from, the probability of the pick is 0: there is none. In floats too each is chosen with
+/// the probability that it is given, to (n + 1) 2^-46, and that is the formula's to (n 2^-24)^2 of it, by sums in two parts.
 /// Formula  P(i) = weight(i) / sum of them
 /// Measure  discrete
-/// Domain   0 .. n-1, n at least 0; weights nonnegative and finite (throws std::invalid_argument otherwise)
+/// Domain   0 .. n-1, n from 0 to 2^24; weights nonnegative and finite, and their sum (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2: its second number refines the first
 /// Source   Shirley, Wang, Zimmerman 1996, 5
 template <class Real, class Weight>
 class ContributionChoice {
  public:
   ContributionChoice(int n, Weight weight) : n_(n), weight_(std::move(weight)) {
-    if (n < 0) throw std::invalid_argument("a choice among fewer than no alternatives");
+    if (n < 0) throw std::invalid_argument("a choice among fewer than no alternatives (their number is negative)");
+    if (n > 1 << 24) throw std::invalid_argument("a choice among more than 2^24 (a float cannot count them)");
   }
 
   int size() const { return n_; }
 
-  /// The sums are of doubles, so that none of many weights is lost among them.
+  /// The last alternative at which the sum of the weights before it has not passed the target.
   Pick<Real> sample(const Vec2<Real>& u) const {
-    const Lanes total = sum_of_weights();
-    Lanes target = fine_number(u), below{}, probabilities{};
-    for (std::size_t k = 0; k < lanes<Real>; ++k) target[k] *= total[k];
-    std::array<int, lanes<Real>> indices{};
-    bool searching = true;
-    for (int i = 0; i < n_ && searching; ++i) {
-      const Lanes weight = weight_of(i);
-      searching = false;
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        const bool reached = below[k] <= target[k] && weight[k] > 0;
-        indices[k] = reached ? i : indices[k];
-        probabilities[k] = reached ? weight[k] / total[k] : probabilities[k];
-        below[k] += weight[k];
-        searching |= below[k] <= target[k];
-      }
+    const LongSum<Real> total = sum_of_weights();
+    const LongSum<Real> target = part(total, u);
+    Real index(0), chosen(0);
+    LongSum<Real> before;
+    Mask<Real> searching(true);
+    for (int i = 0; i < n_ && any(searching); ++i) {
+      const Real weight = weight_(i);
+      const Mask<Real> reached = searching && weight > Real(0);
+      index = select(reached, rounded<Real>(i), index);
+      chosen = select(reached, weight, chosen);
+      before.add(weight);
+      searching = searching && before <= target;
     }
-    Index<Real> index;
-    Real probability;
-    load_lanes(indices.data(), index);
-    load_lanes(probabilities.data(), probability);
-    return {index, Density<Discrete, Real>(probability)};
+    const Real sum = total.value();
+    return {whole(index), Density<Discrete, Real>(Real(chosen / select(sum > Real(0), sum, Real(1))))};
   }
 
  private:
-  using Lanes = std::array<double, lanes<Real>>;
-
-  Lanes weight_of(int i) const {
-    Lanes weight{};
-    store_lanes(Real(weight_(i)), weight.data());
-    return weight;
+  LongSum<Real> sum_of_weights() const {
+    LongSum<Real> total;
+    Mask<Real> right(true);
+    for (int i = 0; i < n_; ++i) {
+      const Real weight = weight_(i);
+      right = right && weight >= Real(0);
+      total.add(weight);
+    }
+    if (!all(right && total.value() < Real(infinity<Real>)))
+      throw std::invalid_argument("a weight must be nonnegative and finite (it becomes a probability)");
+    return total;
   }
 
-  Lanes sum_of_weights() const {
-    Lanes total{}, least{};
-    for (int i = 0; i < n_; ++i) {
-      const Lanes weight = weight_of(i);
-      for (std::size_t k = 0; k < lanes<Real>; ++k) {
-        total[k] += weight[k];
-        least[k] = std::min(least[k], weight[k]);
-      }
-    }
+  // The part u of the sum, where the second number refines the first.
+  static LongSum<Real> part(const LongSum<Real>& sum, const Vec2<Real>& u) {
+    std::array<double, lanes<Real>> first{}, second{}, high{}, low{};
+    store_lanes(u.x(), first.data());
+    store_lanes(u.y(), second.data());
+    store_lanes(sum.high, high.data());
+    store_lanes(sum.low, low.data());
     for (std::size_t k = 0; k < lanes<Real>; ++k) {
-      if (!(least[k] >= 0 && std::isfinite(total[k])))
-        throw std::invalid_argument("a weight must be nonnegative and finite (it becomes a probability)");
+      first[k] = (first[k] + second[k] * (static_cast<double>(ulp<Real>) / 2)) * (high[k] + low[k]);
     }
-    return total;
+    LongSum<Real> part;
+    load_lanes(first.data(), part.high);
+    store_lanes(part.high, high.data());
+    for (std::size_t k = 0; k < lanes<Real>; ++k) low[k] = first[k] - high[k];
+    load_lanes(low.data(), part.low);
+    return part;
   }
 
   int n_;
@@ -145,7 +151,8 @@ class ContributionChoice {
 };
 
 /// The sum of terms from one of them, chosen by `Choice` and divided by its probability; 0 where there is none to choose.
-/// Unbiased when no term that is not 0 has probability 0. Bound: the largest of term over probability.
+/// Unbiased when no term that is not 0 has probability 0.
+/// Bound    the hull of the terms' bounds, each over its probability; nothing, where nothing may be chosen
 /// Source   Shirley, Wang, Zimmerman 1996, 5; the paper, A.1
 template <class Choice>
 class OneBy {
@@ -161,6 +168,20 @@ class OneBy {
     const Pick<Real> pick = choice_.sample(next_pair<Real>(source));
     if (!any(pick.probability.value() != Real(0))) return zero<Value>();
     return over_existing(Value(term(pick.index, source)), pick.probability);
+  }
+
+  /// From those of the terms, and the probabilities with which they are chosen, or the least that these may be. Throws
+  /// std::invalid_argument unless there are as many of them, in [0,1].
+  static Bound bound(std::span<const Bound> terms, std::span<const double> probabilities) {
+    if (terms.size() != probabilities.size())
+      throw std::invalid_argument("terms without a probability, or the other way round (their numbers differ)");
+    Bound any{infinity<double>, -infinity<double>};
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const double p = probabilities[i];
+      if (!(p >= 0 && p <= 1)) throw std::invalid_argument("a probability must be in [0,1] (it divides the term)");
+      if (p > 0) any = hull(any, 1 / p * terms[i]);
+    }
+    return any.lower <= any.upper ? any : Bound{0, 0};
   }
 
  private:

@@ -32,8 +32,7 @@ class CircularAperture {
 
   /// The radius R [m].
   explicit CircularAperture(Real radius) : radius_(radius) {
-    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
-      throw std::invalid_argument("an aperture's radius must be positive and finite (a pinhole has none)");
+    require_positive(radius, "an aperture's radius", "a pinhole has none");
   }
 
   Point sample(const Vec2<Real>& u) const {
@@ -80,8 +79,7 @@ class PolygonalAperture {
   PolygonalAperture(Real radius, int blades, Real rotation = Real(0)) : blades_(blades), rotation_(rotation) {
     using std::cos;
     using std::sin;
-    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
-      throw std::invalid_argument("an aperture's radius must be positive and finite (a pinhole has none)");
+    require_positive(radius, "an aperture's radius", "a pinhole has none");
     if (blades < 3) throw std::invalid_argument("an aperture needs three blades or more (or none, and is round)");
     if (!all(rotation > Real(-infinity<Real>) && rotation < Real(infinity<Real>)))
       throw std::invalid_argument("an aperture's rotation must be finite (it is an angle)");

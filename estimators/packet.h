@@ -29,6 +29,11 @@ struct IndexOf<xsimd::batch<float, A>> {
   using Type = xsimd::batch<std::int32_t, A>;
 };
 
+template <class A>
+struct WordOf<xsimd::batch<float, A>> {
+  using Type = xsimd::batch<std::uint32_t, A>;
+};
+
 /// A vector or a colour, lane by lane.
 template <class A, int Size>
 Eigen::Matrix<xsimd::batch<float, A>, Size, 1> select(const xsimd::batch_bool<float, A>& mask,
@@ -48,6 +53,16 @@ Eigen::Array<xsimd::batch<float, A>, Size, 1> select(const xsimd::batch_bool<flo
 template <class A>
 xsimd::batch<std::int32_t, A> whole(const xsimd::batch<float, A>& x) {
   return xsimd::to_int(x);
+}
+
+template <class A>
+xsimd::batch<std::uint32_t, A> leading_bits(const xsimd::batch<float, A>& x) {
+  return xsimd::bitwise_cast<xsimd::batch<std::uint32_t, A>>(whole(x * 0x1p24f)) << 8;
+}
+
+template <class A>
+xsimd::batch<std::int32_t, A> index_of(const xsimd::batch<std::uint32_t, A>& word) {
+  return xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(word);
 }
 
 template <class Real, class A>
@@ -90,15 +105,6 @@ void load_lanes(const double* in, xsimd::batch<float, A>& x) {
   std::array<float, lanes<xsimd::batch<float, A>>> values{};
   std::transform(in, in + values.size(), values.begin(), [](double value) { return static_cast<float>(value); });
   x = xsimd::batch<float, A>::load_unaligned(values.data());
-}
-template <class A>
-void load_lanes(const int* in, xsimd::batch<std::int32_t, A>& x) {
-  x = xsimd::batch<std::int32_t, A>::load_unaligned(in);
-}
-
-template <class A>
-xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_t, A>& i) {
-  return xsimd::batch<float, A>::gather(table, i);
 }
 
 namespace detail {
@@ -185,9 +191,26 @@ inline uint64x2_t interleave(uint64x2_t even, uint64x2_t odd) {
 }
 #endif
 
+/// xsimd 8 gathers lane by lane where there is an instruction for it.
+#if defined(__AVX512F__)
+inline __m512 gather(const float* table, __m512i i) { return _mm512_i32gather_ps(i, table, sizeof(float)); }
+#endif
+#if defined(__AVX2__)
+inline __m256 gather(const float* table, __m256i i) { return _mm256_i32gather_ps(table, i, sizeof(float)); }
+inline __m128 gather(const float* table, __m128i i) { return _mm_i32gather_ps(table, i, sizeof(float)); }
+#endif
+
 }  // namespace detail
 
-/// The high and the low 32 bits of the products of 32-bit words.
+template <class A>
+xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_t, A>& i) {
+#if defined(__AVX2__)
+  return detail::gather(table, i);
+#else
+  return xsimd::batch<float, A>::gather(table, i);
+#endif
+}
+
 template <class A>
 std::array<xsimd::batch<std::uint32_t, A>, 2> multiply_high_low(std::uint32_t a,
                                                                 const xsimd::batch<std::uint32_t, A>& b) {

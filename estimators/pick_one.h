@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <stdexcept>
 
 #include <fairlight/estimators/concepts.h>
@@ -16,46 +15,35 @@ struct Pick {
   Density<Discrete, Real> probability;
 };
 
-/// Two numbers as one of 48 bits, the first 24 of each: a float's 24 alone cannot choose evenly among 10^5.
-template <class Real>
-std::array<double, lanes<Real>> fine_number(const Vec2<Real>& u) {
-  std::array<double, lanes<Real>> upper{}, lower{};
-  store_lanes(u.x(), upper.data());
-  store_lanes(u.y(), lower.data());
-  for (std::size_t i = 0; i < lanes<Real>; ++i) {
-    upper[i] = (std::floor(upper[i] * 0x1p24) + std::floor(lower[i] * 0x1p24) * 0x1p-24) * 0x1p-24;
-  }
-  return upper;
-}
-
-/// One of n alternatives, each as likely as the others, to n / 2^48 of its probability.
+/// One of n alternatives, each as likely as the others, to n / 2^48 of its probability: the whole part of n U, with U the
+/// number of 48 bits that the first 24 of each number make. A float's 24 alone cannot choose evenly among 10^5.
 /// Formula  P(i) = 1/n
 /// Measure  discrete
-/// Domain   0 .. n-1, n at least 1 (throws std::invalid_argument otherwise)
+/// Domain   0 .. n-1, n from 1 to 2^24 (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2: its second number refines the first
-/// Source   the paper, A.1
+/// Source   the paper, A.1; Lemire 2019, "Fast random integer generation in an interval" (by multiplication)
 template <class Real>
 class UniformChoice {
  public:
   explicit UniformChoice(int n) : n_(n) {
     if (n < 1) throw std::invalid_argument("a choice among no alternatives (give at least one)");
+    if (n > 1 << 24) throw std::invalid_argument("a choice among more than 2^24 (a float cannot count them)");
   }
 
   Pick<Real> sample(const Vec2<Real>& u) const {
-    const auto numbers = fine_number(u);
-    std::array<int, lanes<Real>> indices{};
-    for (std::size_t i = 0; i < lanes<Real>; ++i) indices[i] = static_cast<int>(numbers[i] * n_);
-    Index<Real> index;
-    load_lanes(indices.data(), index);
-    return {index, Density<Discrete, Real>(Real(1) / rounded<Real>(n_))};
+    const auto n = static_cast<std::uint32_t>(n_);
+    const auto [high, low] = multiply_high_low(n, leading_bits(u.x()));
+    const Word<Real> finer = multiply_high_low(n, leading_bits(u.y()))[0] << 8;
+    const Word<Real> carry = select(low + finer < low, Word<Real>(1u), Word<Real>(0u));
+    return {index_of(high + carry), Density<Discrete, Real>(Real(1) / rounded<Real>(n_))};
   }
 
  private:
   int n_;
 };
 
-/// The sum of n terms, each estimated: term(i, source) for every i; 0 where there are none. Bound: the sum of the terms'
-/// bounds.
+/// The sum of n terms, each estimated: term(i, source) for every i; 0 where there are none.
+/// Bound    the sum of the terms' bounds
 /// Source   the paper, A.1 ("one random point from each of the luminaires")
 struct AllOf {
   template <class Real, UniformSource<Real> Source, class Term>
@@ -64,11 +52,18 @@ struct AllOf {
     for (int i = 0; i < n; ++i) total += term(i, source);
     return total;
   }
+
+  /// From those of the terms.
+  static Bound bound(std::span<const Bound> terms) {
+    Bound total{0, 0};
+    for (const Bound& term : terms) total = total + term;
+    return total;
+  }
 };
 
 /// The sum of n terms from one of them, chosen uniformly and divided by its probability: |L| times the term; 0 where there
 /// are none.
-/// Bound: n times the largest of the terms' bounds.
+/// Bound    n times the hull of the terms' bounds
 /// Source   the paper, A.1 (the two-dice argument)
 struct OneOf {
   template <class Real, UniformSource<Real> Source, class Term>
@@ -77,6 +72,14 @@ struct OneOf {
     if (n == 0) return zero<Value>();
     const Pick<Real> pick = UniformChoice<Real>(n).sample(next_pair<Real>(source));
     return Value(term(pick.index, source) / pick.probability);
+  }
+
+  /// From those of the terms.
+  static Bound bound(std::span<const Bound> terms) {
+    if (terms.empty()) return {0, 0};
+    Bound any = terms.front();
+    for (const Bound& term : terms) any = hull(any, term);
+    return static_cast<double>(terms.size()) * any;
   }
 };
 

@@ -18,18 +18,6 @@ namespace fairlight {
 /// points depend on each other, so the unit of any test is a whole replicate. A key that serves a point set serves
 /// no PhiloxStream: both count with the same counters.
 
-/// 32 bits, or as many of them as Real has lanes.
-template <class Real>
-struct WordOf {
-  using Type = std::uint32_t;
-};
-template <class A>
-struct WordOf<xsimd::batch<float, A>> {
-  using Type = xsimd::batch<std::uint32_t, A>;
-};
-template <class Real>
-using Word = typename WordOf<Real>::Type;
-
 /// The number of points of a set. Throws std::invalid_argument unless it is from 1 to 2^28.
 inline std::uint32_t checked_size(std::uint32_t n) {
   if (n < 1 || n > 1u << 28) throw std::invalid_argument("a point set of no or too many points (give 1 to 2^28)");

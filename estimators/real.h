@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +39,14 @@ struct IndexOf {
 template <class Real>
 using Index = typename IndexOf<Real>::Type;
 
+/// The type of a 32-bit word per lane.
+template <class Real>
+struct WordOf {
+  using Type = std::uint32_t;
+};
+template <class Real>
+using Word = typename WordOf<Real>::Type;
+
 /// A number known in double, as near as Real comes to it.
 template <class Real>
 constexpr Real rounded(double x) {
@@ -57,6 +66,17 @@ inline bool all(bool mask) { return mask; }
 /// The whole number below a nonnegative Real.
 inline int whole(double x) { return static_cast<int>(x); }
 inline int whole(float x) { return static_cast<int>(x); }
+
+/// The first 24 bits of a number in [0,1), at the top of a word; and a word below 2^31 as an index.
+inline std::uint32_t leading_bits(double x) { return static_cast<std::uint32_t>(x * 0x1p24) << 8; }
+inline std::uint32_t leading_bits(float x) { return static_cast<std::uint32_t>(x * 0x1p24f) << 8; }
+inline int index_of(std::uint32_t word) { return static_cast<int>(word); }
+
+/// The high and the low 32 bits of a product of words.
+inline std::array<std::uint32_t, 2> multiply_high_low(std::uint32_t a, std::uint32_t b) {
+  const std::uint64_t product = std::uint64_t{a} * b;
+  return {static_cast<std::uint32_t>(product >> 32), static_cast<std::uint32_t>(product)};
+}
 
 /// The sine and the cosine of a part of a full turn, in [0,1].
 template <class Real>
@@ -78,10 +98,9 @@ Mask<Real> same_index(int a, int b) {
 inline void store_lanes(double x, double* out) { *out = x; }
 inline void store_lanes(float x, double* out) { *out = static_cast<double>(x); }
 
-/// The values of the lanes from `in`: numbers, rounded, or indices.
+/// The values of the lanes from `in`, rounded.
 inline void load_lanes(const double* in, double& x) { x = *in; }
 inline void load_lanes(const double* in, float& x) { x = static_cast<float>(*in); }
-inline void load_lanes(const int* in, int& x) { x = *in; }
 
 /// The entry of a table, of each lane its own.
 inline double gather(const double* table, int i) { return table[i]; }

@@ -8,7 +8,8 @@
 namespace fairlight {
 
 /// A rectangle that shines from both its faces, as the surfaces of a scene do; where it shines from one alone, the radiance of
-/// the other is 0. From its own plane it is not seen.
+/// the other is 0. From its own plane it is not seen. In its axes a corner is where it is to some ulp of its distance, in floats as
+/// in double: of a rectangle that is nearer to its plane, or smaller, than that, the densities are those of another.
 template <class Real>
 class RectangleLight {
  public:
@@ -130,14 +131,15 @@ class RectangleBySolidAngle {
   }
 
  private:
-  // In its own plane, where it is not seen, as if from 1 m above it.
+  // In its own plane, where it is not seen, as if from 1 m above it. The far edges are found before anything is divided: where
+  // they are near, the sum of a corner and a long edge is exact.
   RectangleView<Real> seen_at_unit_height(const Vec3<Real>& corner) const {
     using std::abs;
     const Real plane = abs(corner.z());
     const Real unit = select(plane > Real(0), plane, Real(1));
-    const Real x = corner.x() / unit, y = corner.y() / unit;
-    const Real width = rectangle_.width() / unit, height = rectangle_.height() / unit;
-    return {x, x + width, y, y + height, width, height};
+    const Real width = rectangle_.width(), height = rectangle_.height();
+    const Real far_x = corner.x() + width, far_y = corner.y() + height;
+    return {corner.x() / unit, far_x / unit, corner.y() / unit, far_y / unit, width / unit, height / unit};
   }
 
   RectangleLight<Real> rectangle_;

@@ -59,7 +59,8 @@ class Rouletted {
 };
 
 /// The roulettes of a path are asked before each bounce: `play(albedo, throughput, depth, source)`, with the reflectance
-/// where the path is, what it carries there, and how many bounces it has made.
+/// where the path is, what it carries there, and how many bounces it has made. They have no `bound()` of their own: theirs is one
+/// of what a path carries, and how much a bounce may weigh is the scene's to know, and its directions'.
 
 /// A path goes on with the largest of the surface's three reflectances, so black absorbs and white reflects.
 /// Random   one dimension

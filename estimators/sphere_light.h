@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stdexcept>
-
 #include <fairlight/estimators/sphere_directions.h>
 
 namespace fairlight {
@@ -21,8 +19,7 @@ class UniformSphereArea {
 
   /// radius > 0 in m, finite; throws std::invalid_argument otherwise.
   explicit UniformSphereArea(Real radius) : radius_(radius) {
-    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
-      throw std::invalid_argument("a sphere's radius must be positive and finite (its area divides)");
+    require_positive(radius, "a sphere's radius", "its area divides");
   }
 
   /// The outward unit normal at the point.

@@ -7,10 +7,14 @@
 
 namespace fairlight {
 
-/// A sphere from where a point stands, in a frame whose +z leads from the point to the centre. With r the radius and d the distance of the centre, everything comes from the height h = d - r above the surface, so that nothing
-/// cancels for a point that is near a large sphere or far from a small one.
+/// A sphere from where a point stands, in a frame whose +z leads from the point to the centre. With r the radius and d the
+/// distance of the centre, everything comes from the height h = d - r above the surface, so that nothing cancels for a point
+/// that is near a large sphere or far from a small one.
 /// Outside (h > 0) the outer face is seen, inside (h < 0) the inner one; at the surface (h = 0) the inner one too,
 /// through the half of all directions that lead inwards. Where a select drops a branch, that may be a NaN.
+/// The height, as the point itself, is known to some ulp of d. From nearer to the surface than that, in floats some cm from a
+/// sphere of 1e5 m, the sphere is seen as from a point as far off, maybe on its other side, unless `on_surface` decides. And of
+/// one that fills an angle of no more than some ulp, the density of a sampled direction may be 0.
 template <class Real>
 class SphereView {
  public:
@@ -120,9 +124,9 @@ class SphereLight {
   /// lights are on the sphere itself, which rounding would put to either side of it.
   SphereLight(const Vec3<Real>& centre, Real radius, const Mask<Real>& on_surface = Mask<Real>(false))
       : centre_(centre), radius_(radius), on_surface_(on_surface) {
-    if (!all(radius > Real(0) && radius < Real(infinity<Real>)) || !all_finite(centre))
-      throw std::invalid_argument(
-          "a sphere's radius must be positive and finite, and so its centre (its area divides)");
+    require_positive(radius, "a sphere's radius", "its area divides");
+    if (!all_finite(centre))
+      throw std::invalid_argument("a sphere's centre must be finite (points on it are drawn)");
   }
 
   Real radius() const { return radius_; }

@@ -9,12 +9,6 @@
 
 namespace fairlight {
 
-/// The high and the low half of a product.
-inline std::array<std::uint32_t, 2> multiply_high_low(std::uint32_t a, std::uint32_t b) {
-  const std::uint64_t product = std::uint64_t{a} * b;
-  return {static_cast<std::uint32_t>(product >> 32), static_cast<std::uint32_t>(product)};
-}
-
 /// Philox 4x32-10: a counter and a key to four uniform 32-bit words, without state. Word may be a packet of words.
 /// Source: Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3"; known answers in the tests.
 template <class Word>

@@ -51,7 +51,7 @@ struct PointsBy {
 /// of one of them: `Luminaires` says which (AllOf, OneOf, OneBy), `Points` where on it.
 /// Formula  sum over L of  f Le cos / p_w, where the point is seen; else 0
 /// Measure  solid angle, by Points
-/// Domain   luminaires that emit, from without, from within, or from their own surface
+/// Domain   luminaires that emit, from without, from within, or from their own surface; 0 where none does
 /// Random   two dimensions per shadow ray, and those of the choice
 /// Bound    per luminaire, max(Le f cos / p_w): by area at most A max(Le f) / d^2 with d the smallest distance from the
 ///          vertex to the luminaire, by cone S max(Le f) with S the cone's solid angle

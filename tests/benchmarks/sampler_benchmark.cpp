@@ -1,9 +1,8 @@
 // How many draws a second each sampler gives, its random numbers included, in double and in packets: compare the two rates of one
 // run. Built for the machine that it runs on, so that packets are as wide as they get.
-#include <benchmark/benchmark.h>
+#include <benchmarks/rates.h>
 
 #include <fairlight/estimators/blackman_harris_filter.h>
-#include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/cone.h>
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/gaussian_filter.h>
@@ -13,40 +12,16 @@
 #include <fairlight/estimators/lobe.h>
 #include <fairlight/estimators/sphere_directions.h>
 #include <fairlight/estimators/sphere_light.h>
-#include <fairlight/estimators/stream.h>
 
 namespace {
 
 using namespace fairlight;
 
-constexpr std::uint64_t draws = 1 << 16;
-constexpr std::uint64_t a_stream = 4;  // draws from each stream, as a path takes several
-
-template <class Law>
-void draw(benchmark::State& state, const Law& law) {
-  using Real = typename Law::Scalar;
-  const StreamKey key(1, "benchmark");
-  for (auto _ : state) {
-    auto sum = zero<typename Law::Point>();
-    for (std::uint64_t i = 0; i < draws / a_stream; i += lanes<Real>) {
-      PhiloxStream<Real> source(key, 0, i);
-      for (std::uint64_t k = 0; k < a_stream; ++k) sum += law.sample(next_pair<Real>(source));
-    }
-    benchmark::DoNotOptimize(sum);
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(draws));
-}
-
 template <class Make>
 void compare(const std::string& name, const Make& make) {
-  const auto add = [&]<class Real>(std::type_identity<Real> real, const std::string& kind) {
-    const auto law = make(real);
-    benchmark::RegisterBenchmark((name + "/" + kind).c_str(), [law](benchmark::State& state) { draw(state, law); })
-        ->Repetitions(5)
-        ->ReportAggregatesOnly();
-  };
-  add(std::type_identity<double>{}, "double");
-  add(std::type_identity<Packet>{}, "packet");
+  benchmarks::compare(name, [&]<class Real>(std::type_identity<Real> real) {
+    return [law = make(real)](PhiloxStream<Real>& source) { return law.sample(next_pair<Real>(source)); };
+  });
 }
 
 }  // namespace
@@ -57,10 +32,11 @@ int main(int argc, char** argv) {
   compare("uniform sphere", []<class Real>(std::type_identity<Real>) { return UniformSphere<Real>(); });
   compare("cone", []<class Real>(std::type_identity<Real>) { return UniformCone<Real>(Real(0.25)); });
   compare("power-cosine lobe", []<class Real>(std::type_identity<Real>) {
-    return PowerCosineLobe<Real>(Vec3<Real>(Real(0.6f), Real(0), Real(0.8f)), Real(20));
+    return PowerCosineLobe<Real>(Vec3<Real>(rounded<Real>(0.6), Real(0), rounded<Real>(0.8)), Real(20));
   });
   compare("GGX visible normals", []<class Real>(std::type_identity<Real>) {
-    return GgxVisibleNormals<Real>({Real(0.25), Real(0.5)}, Vec3<Real>(Real(0.6f), Real(0), Real(0.8f)));
+    return GgxVisibleNormals<Real>({Real(0.25), Real(0.5)},
+                                   Vec3<Real>(rounded<Real>(0.6), Real(0), rounded<Real>(0.8)));
   });
   compare("sphere by area",
           []<class Real>(std::type_identity<Real>) { return UniformSphereArea<Real>(Real(2.5)); });

@@ -75,7 +75,6 @@ std::vector<double> weights(int n) {
   return all;
 }
 
-// The other choice takes 24 bits of the first number, so at the ends it may differ.
 RC_GTEST_PROP(PowerChoice, IsTheInverseOfTheCumulativeWeights, ()) {
   const int n = *rc::gen::inRange(1, 100001);
   const std::vector<double> all = weights(n);
@@ -92,8 +91,8 @@ RC_GTEST_PROP(PowerChoice, IsTheInverseOfTheCumulativeWeights, ()) {
   RC_ASSERT(below / total <= u.x() + 1e-15 && u.x() <= (below + all[chosen]) / total + 1e-15);
   const auto weight = [&](int i) { return all[static_cast<std::size_t>(i)]; };
   const auto again = ContributionChoice<double, decltype(weight)>(n, weight).sample(u);
-  RC_ASSERT(again.index == pick.index || std::abs(below / total - u.x()) < 0x1p-24 ||
-            std::abs((below + all[chosen]) / total - u.x()) < 0x1p-24);
+  RC_ASSERT(again.index == pick.index || std::abs(below / total - u.x()) < 1e-15 ||
+            std::abs((below + all[chosen]) / total - u.x()) < 1e-15);
 }
 
 // In packets the place where one alternative ends and the next begins is exact to 2^-48.
@@ -129,11 +128,87 @@ TEST(PowerChoice, ChoosesLaneByLane) {
   }
 }
 
+// 10^5 lights of 0.1, whose sum in floats alone would be 1 % off. The numbers at which one light ends and the next begins
+// are found by bisection of their 48 bits.
+TEST(ContributionChoice, GivesInFloatsTheProbabilityWithWhichItChooses) {
+  constexpr int n = 100'000;
+  const auto tenth = [](int) { return 0.1f; };
+  const ContributionChoice<float, decltype(tenth)> choice(n, tenth);
+  const auto sample = [&](std::uint64_t u) {
+    return choice.sample({static_cast<float>(u >> 24) * 0x1p-24f, static_cast<float>(u & 0xFFFFFF) * 0x1p-24f});
+  };
+  const auto begin = [&](int light) {
+    std::uint64_t below = 0, reached = std::uint64_t{1} << 48;
+    while (reached - below > 1) {
+      const std::uint64_t middle = (below + reached) / 2;
+      (sample(middle).index < light ? below : reached) = middle;
+    }
+    return static_cast<double>(reached) * 0x1p-48;
+  };
+  const double given = sample(0).probability.value();
+  EXPECT_NEAR(given, 1e-5, 1e-5 * (n * 0x1p-24 * n * 0x1p-24));
+  const double exact = (n + 1) * 0x1p-46 + given * 0x1p-24;
+  for (int light : {1, 33'333, 99'998}) EXPECT_NEAR(begin(light + 1) - begin(light), given, exact) << light;
+  EXPECT_NEAR(1 - begin(n - 1), given, exact);
+}
+
+// A weight that differs from lane to lane, and a light that is black in half of them.
+TEST(ContributionChoice, ChoosesLaneByLane) {
+  std::array<float, lanes<Packet>> places{}, numbers{};
+  for (std::size_t i = 0; i < lanes<Packet>; ++i) {
+    places[i] = static_cast<float>(i);
+    numbers[i] = (static_cast<float>(i) + 0.5f) / static_cast<float>(lanes<Packet>);
+  }
+  const auto weights_at = []<class Real>(Real place) {
+    return [place](int i) {
+      const Real away = place - rounded<Real>(3 * i);
+      const Real weight = rounded<Real>(powers[static_cast<std::size_t>(i)]) / (Real(1) + away * away);
+      return Real(select(i == 1 ? place > Real(2) : place < Real(0), Real(0), weight));
+    };
+  };
+  const auto weight = weights_at(Packet::load_unaligned(places.data()));
+  const ContributionChoice<Packet, decltype(weight)> packets(6, weight);
+  const auto pick = packets.sample({Packet::load_unaligned(numbers.data()), Packet(0.5f)});
+  std::array<double, lanes<Packet>> indices{}, probabilities{};
+  store_lanes(xsimd::to_float(pick.index), indices.data());
+  store_lanes(pick.probability.value(), probabilities.data());
+  for (std::size_t i = 0; i < lanes<Packet>; ++i) {
+    const auto one_weight = weights_at(static_cast<double>(places[i]));
+    const ContributionChoice<double, decltype(one_weight)> alone(6, one_weight);
+    const auto one = alone.sample({static_cast<double>(numbers[i]), 0.5});
+    EXPECT_EQ(indices[i], one.index) << i;
+    EXPECT_NEAR(probabilities[i], one.probability.value(), 4 * ulp<float>) << i;
+  }
+}
+
+TEST(ContributionChoice, RefusesWhatIsNoWeightInAnyLane) {
+  std::array<float, lanes<Packet>> weights{};
+  for (float wrong : {-1.0f, std::nanf(""), infinity<float>}) {
+    weights.fill(1);
+    weights.back() = wrong;
+    const auto weight = [&](int) { return Packet::load_unaligned(weights.data()); };
+    const ContributionChoice<Packet, decltype(weight)> choice(2, weight);
+    EXPECT_THROW(choice.sample({Packet(0.5f), Packet(0.5f)}), std::invalid_argument) << wrong;
+  }
+}
+
 TEST(OneBy, DividesTheTermByItsProbability) {
   ScriptedSource source({0.5, 0, 0.25});
   const auto term = [](int i, ScriptedSource& numbers) { return i * numbers.next(); };
   EXPECT_EQ(OneBy(by_power).sum<double>(6, source, term), 4 * 0.25 / 0.625);
   EXPECT_TRUE(source.exhausted());
+}
+
+// 2 to 4 with probability 1/4, -3 with 3/4; what is never chosen bounds nothing.
+TEST(OneBy, LiesWithinTheHullOfTheBoundsOverTheirProbabilities) {
+  using One = OneBy<PowerChoice<double>>;
+  const std::vector<Bound> terms{{2, 4}, {-3, -3}, {}};
+  const std::vector<double> probabilities{0.25, 0.75, 0};
+  EXPECT_EQ(One::bound(terms, probabilities), (Bound{-4, 16}));
+  EXPECT_EQ(One::bound(terms, std::vector<double>(3, 0)), (Bound{0, 0}));
+  EXPECT_EQ(One::bound({}, {}), (Bound{0, 0}));
+  EXPECT_THROW(One::bound(terms, std::vector<double>(2, 0.5)), std::invalid_argument);
+  EXPECT_THROW(One::bound(terms, std::vector<double>{0.5, 0.5, std::nan("")}), std::invalid_argument);
 }
 
 TEST(OneBy, RefusesAnotherNumberOfTerms) {

@@ -28,6 +28,10 @@ TEST(ConstantEnvironment, GivesUnitDirectionsAtTheEdgesOfTheSquare) {
   testing::expect_finite_at_edges(ConstantEnvironment<Packet>(), testing::in_packets(anywhere));
 }
 
+TEST(ConstantEnvironment, TakesADirectionThatIsNearlyUnit) {
+  testing::expect_density_off_by_as_much_as_the_direction(ConstantEnvironment<double>(), anywhere, {0.6, 0, 0.8});
+}
+
 TEST(ConstantEnvironment, IsTheSameInPackets) {
   testing::expect_same_sample(ConstantEnvironment<double>(), ConstantEnvironment<Packet>(), anywhere,
                               {0.625, 0.75});

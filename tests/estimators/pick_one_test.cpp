@@ -41,9 +41,26 @@ TEST(UniformChoice, ChoosesFinelyInPackets) {
   EXPECT_EQ(index(1 - 0x1p-24f, 1 - 0x1p-24f), 99999);
 }
 
-TEST(UniformChoice, RefusesNoAlternatives) {
+// The whole part of n (a 2^24 + b) / 2^48, with a and b the first 24 bits of the two numbers, in integers.
+RC_GTEST_PROP(UniformChoice, IsTheWholePartOfTheProductInEveryArithmetic, ()) {
+  const auto n = *rc::gen::element<std::uint64_t>(1, 3, 1000, 100'000, (1 << 24) - 1, 1 << 24);
+  const auto bits = rc::gen::inRange<std::uint64_t>(0, 1 << 24);
+  const auto edge = rc::gen::element<std::uint64_t>(0, 1, (1 << 24) - 1);
+  const auto a = *rc::gen::oneOf(bits, edge), b = *rc::gen::oneOf(bits, edge);
+  const auto expected = static_cast<int>((a * n + (b * n >> 24)) >> 24);
+  const float x = static_cast<float>(a) * 0x1p-24f, y = static_cast<float>(b) * 0x1p-24f;
+  const int among = static_cast<int>(n);
+  RC_ASSERT(UniformChoice<double>(among).sample({x, y}).index == expected);
+  RC_ASSERT(UniformChoice<float>(among).sample({x, y}).index == expected);
+  const auto pick = UniformChoice<Packet>(among).sample({Packet(x), Packet(y)});
+  RC_ASSERT(testing::first_lane(xsimd::to_float(pick.index)) == expected);
+  RC_ASSERT(testing::first_lane(pick.probability.value()) == 1.0f / static_cast<float>(n));
+}
+
+TEST(UniformChoice, RefusesNoAlternativesAndMoreThanAFloatCounts) {
   EXPECT_THROW(UniformChoice<double>(0), std::invalid_argument);
   EXPECT_THROW(UniformChoice<double>(-1), std::invalid_argument);
+  EXPECT_THROW(UniformChoice<double>((1 << 24) + 1), std::invalid_argument);
 }
 
 double term(int i, ScriptedSource& source) { return (i + 1) * source.next(); }
@@ -58,6 +75,18 @@ TEST(OneOf, WeightsTheTermByTheirNumber) {
   ScriptedSource source({0.5, 0, 0.25});
   EXPECT_EQ(OneOf::sum<double>(3, source, term), 3 * 2 * 0.25);
   EXPECT_TRUE(source.exhausted());
+}
+
+TEST(AllOf, LiesWithinTheSumOfTheBounds) {
+  const std::vector<Bound> terms{{0, 2}, {-1, 3}};
+  EXPECT_EQ(AllOf::bound(terms), (Bound{-1, 5}));
+  EXPECT_EQ(AllOf::bound({}), (Bound{0, 0}));
+}
+
+TEST(OneOf, LiesWithinTheirNumberTimesTheHull) {
+  const std::vector<Bound> terms{{1, 2}, {-1, 3}, {2, 2}};
+  EXPECT_EQ(OneOf::bound(terms), (Bound{-3, 9}));
+  EXPECT_EQ(OneOf::bound({}), (Bound{0, 0}));
 }
 
 TEST(SumOfNothing, IsZero) {

@@ -14,8 +14,7 @@ TEST(Table, GivesEachLaneTheNumberOfItsIndex) {
     const Table<Packet> in_packets(squares);
     std::array<int, lanes<Packet>> indices{};
     for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<int>((11 * i + size - 1) % size);
-    Index<Packet> index;
-    load_lanes(indices.data(), index);
+    const auto index = Index<Packet>::load_unaligned(indices.data());
     std::array<double, lanes<Packet>> found{};
     store_lanes(in_packets(index), found.data());
     for (std::size_t i = 0; i < indices.size(); ++i) {

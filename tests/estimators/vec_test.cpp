@@ -36,6 +36,17 @@ RC_GTEST_PROP(Frame, TakesAVectorThereAndBack, ()) {
   RC_ASSERT((frame.to_local(frame.to_world(local)) - local).norm() <= 4e-15);
 }
 
+// 3 e: of a normal n that is too long by e, the square of a tangent's length by 2 e, and n itself by e.
+RC_GTEST_PROP(Frame, IsOffByAsMuchAsItsNormal, ()) {
+  constexpr double e = 1e-6;
+  Vec3<double> normal = UniformHemisphere<double>().sample(*testing::unit_point());
+  if (*rc::gen::arbitrary<bool>()) normal = -normal;
+  const Frame<double> frame(normal), off(normal * (1 + e));
+  const Vec3<double> local = UniformHemisphere<double>().sample(*testing::unit_point());
+  RC_ASSERT((off.to_world(local) - frame.to_world(local)).norm() <= 4 * e);
+  RC_ASSERT((off.to_local(local) - frame.to_local(local)).norm() <= 4 * e);
+}
+
 TEST(RequireUnit, RefusesAnyOtherLengthInEveryLane) {
   EXPECT_NO_THROW(require_unit<double>({0.6, 0, 0.8}, "it"));
   EXPECT_THROW(require_unit<double>({0.6, 0, 0.81}, "it"), std::invalid_argument);
@@ -48,6 +59,16 @@ TEST(RequireUnit, RefusesAnyOtherLengthInEveryLane) {
   lengths.back() = 2;
   EXPECT_THROW(require_unit<Packet>({Packet(0), Packet(0), Packet::load_unaligned(lengths.data())}, "it"),
                std::invalid_argument);
+}
+
+TEST(RequirePositive, RefusesWhatIsNotPositiveAndFiniteInAnyLane) {
+  EXPECT_NO_THROW(require_positive(1e-300, "it", "why"));
+  for (double wrong : {0.0, -1.0, infinity<double>, std::nan("")})
+    EXPECT_THROW(require_positive(wrong, "it", "why"), std::invalid_argument);
+  std::array<float, lanes<Packet>> lengths{};
+  lengths.fill(1);
+  lengths.back() = 0;
+  EXPECT_THROW(require_positive(Packet::load_unaligned(lengths.data()), "it", "why"), std::invalid_argument);
 }
 
 }  // namespace

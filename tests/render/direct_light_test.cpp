@@ -58,11 +58,19 @@ TEST(DirectLight, IsZeroInAShadow) {
   EXPECT_TRUE((floor.reflected(DirectLight<AllOf>(), source) == 0).all());
 }
 
+// A black surface is no luminaire.
 TEST(DirectLight, IsZeroWhereNothingEmits) {
   Scene dark;
   dark.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
-  ScriptedSource none({});
-  EXPECT_TRUE((reflected(DirectLight<OneOf>(), dark, {0, 0, 0}, none) == 0).all());
+  dark.add_sphere({0, 5, 0}, 1, half, black);
+  const auto expect_zero = [&](const auto& direct) {
+    ScriptedSource none({});
+    EXPECT_TRUE((reflected(direct, dark, {0, 0, 0}, none) == 0).all());
+  };
+  expect_zero(DirectLight<AllOf>());
+  expect_zero(DirectLight<OneOf>());
+  expect_zero(DirectLight(one_by_power(dark)));
+  expect_zero(DirectLight<OneByContribution>());
 }
 
 // Inside a sphere that emits, cos cos / d^2 = 1 / (4 r^2) for every pair of points, so every draw is rho Le.
@@ -95,6 +103,18 @@ TEST(DirectLight, ChoosesALightByItsPower) {
   ScriptedSource above({0.24, 0, 0, 0});
   const double cone = 2 * M_PI * (1 - std::sqrt(24) / 5);
   EXPECT_NEAR(floor.reflected(direct, above)[0], 3 * 0.5 / M_PI * cone / 0.25, 1e-14);
+  ScriptedSource below({0.26, 0, 0, 0});
+  EXPECT_EQ(floor.reflected(direct, below)[0], 0);
+}
+
+// Two lights of one size at the distances 5 and 10: powers 1 to 12 over squares 25 to 100 make contributions 1 to 3.
+TEST(DirectLight, ChoosesALightByItsContribution) {
+  Floor floor;
+  floor.scene.add_sphere({0, -10, 0}, 1, black, 12 * lit);
+  const DirectLight<OneByContribution, PointsBy<SphereByCone>> direct;
+  ScriptedSource above({0.24, 0, 0, 0});
+  const double cone = 2 * M_PI * (1 - std::sqrt(24) / 5);
+  EXPECT_NEAR(floor.reflected(direct, above)[0], 3 * 0.5 / M_PI * cone / 0.25, 1e-13);
   ScriptedSource below({0.26, 0, 0, 0});
   EXPECT_EQ(floor.reflected(direct, below)[0], 0);
 }

@@ -24,24 +24,28 @@ struct ManyLights {
   double sum() const { return std::accumulate(terms.begin(), terms.end(), 0.0); }
   double power() const { return std::accumulate(powers.begin(), powers.end(), 0.0); }
 
-  /// The largest of n terms, or of term over probability by power.
-  double largest_of_n() const {
-    return static_cast<double>(terms.size()) * *std::max_element(terms.begin(), terms.end());
-  }
+  /// The largest draws: n times a term, or a term over its probability by power.
+  double largest_of_n() const { return OneOf::bound(bounds()).upper; }
   double largest_by_power() const {
-    double largest = 0;
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-      if (powers[i] > 0) largest = std::max(largest, terms[i] / powers[i]);
-    }
-    return largest * power();
+    const double sum_of_powers = power();
+    std::vector<double> probabilities;
+    for (double x : powers) probabilities.push_back(x / sum_of_powers);
+    return OneBy<PowerChoice<double>>::bound(bounds(), probabilities).upper;
+  }
+
+ private:
+  std::vector<Bound> bounds() const {
+    std::vector<Bound> all;
+    for (double term : terms) all.push_back({term, term});
+    return all;
   }
 };
 
-/// The sum of the terms, by `make(type_identity<Real>)`, which gives what sums them; it is made once. The bound is twice the
-/// largest draw: where there is one light the mean is the largest itself, and must lie within.
+/// The sum of the terms, by `make(type_identity<Real>)`, which gives what sums them, `how`; it is made once. The bound is
+/// twice the largest draw: where there is one light the mean is the largest itself, and must lie within.
 template <class Make>
-auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, const ManyLights& lights,
-                   const Make& make, double largest, double margin_factor = 1) {
+auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, const std::string& how,
+                   const ManyLights& lights, const Make& make, double largest, double margin_factor = 1) {
   const auto each = [&]<class Real>(std::type_identity<Real> real) {
     return [sum = std::make_shared<const decltype(make(real))>(make(real)),
             terms = std::make_shared<const Table<Real>>(lights.terms),
@@ -59,22 +63,21 @@ auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, c
       return in_packets(source);
     }
   };
-  return Experiment{name,
-                    std::move(subjects),
-                    "one of " + std::to_string(lights.terms.size()) +
-                        " unequal lights, a third of them black, over its probability "
-                        "sums them all",
-                    "elementary; the paper, A.1",
-                    margin_factor,
-                    {{lights.sum(), 0, 2 * largest}},
-                    draw};
+  return Experiment{
+      name,
+      std::move(subjects),
+      how + " of " + std::to_string(lights.terms.size()) + " unequal lights, a third of them black, sums them all",
+      "elementary; the paper, A.1",
+      margin_factor,
+      {{lights.sum(), 0, 2 * largest}},
+      draw};
 }
 
 /// One of them by power.
 template <template <class> class Choice>
 auto sum_by_power(const std::string& name, const ManyLights& lights, double largest) {
   const auto make = [=]<class Real>(std::type_identity<Real>) { return OneBy(Choice<Real>(lights.powers)); };
-  return sum_of_lights(name, {"OneBy", "PowerChoice"}, lights, make, largest);
+  return sum_of_lights(name, {"OneBy", "PowerChoice"}, "one over its probability", lights, make, largest);
 }
 
 /// One of them by a contribution that differs from draw to draw, and so from lane to lane: at a place x in [0,1), the power of
@@ -96,14 +99,31 @@ struct OneByPlace {
 inline auto sum_by_contribution(const std::string& name, const ManyLights& lights, double blur,
                                 double margin_factor) {
   const auto make = [=]<class Real>(std::type_identity<Real>) { return OneByPlace{lights.powers, blur}; };
-  return sum_of_lights(name, {"OneBy", "ContributionChoice"}, lights, make, (1 + blur) * lights.largest_by_power(),
-                       margin_factor);
+  return sum_of_lights(name, {"OneBy", "ContributionChoice"}, "one over its probability", lights, make,
+                       (1 + blur) * lights.largest_by_power(), margin_factor);
 }
 
 /// One of them uniformly.
 inline auto sum_by_number(const std::string& name, const ManyLights& lights) {
   const auto make = []<class Real>(std::type_identity<Real>) { return OneOf(); };
-  return sum_of_lights(name, {"OneOf", "UniformChoice"}, lights, make, lights.largest_of_n());
+  return sum_of_lights(name, {"OneOf", "UniformChoice"}, "one over its probability", lights, make,
+                       lights.largest_of_n());
+}
+
+/// Every one of them, estimated: up to twice its term, uniformly.
+struct EachWithNoise {
+  template <class Real, UniformSource<Real> Source, class Term>
+  static auto sum(int n, Source& source, const Term& term) {
+    const auto noisy = [&](auto i, Source& numbers) {
+      return Real(Real(2) * Real(numbers.next()) * term(i, numbers));
+    };
+    return AllOf::sum<Real>(n, source, noisy);
+  }
+};
+
+inline auto sum_of_all(const std::string& name, const ManyLights& lights) {
+  const auto make = []<class Real>(std::type_identity<Real>) { return EachWithNoise(); };
+  return sum_of_lights(name, {"AllOf"}, "an estimate of each", lights, make, lights.sum());
 }
 
 }  // namespace fairlight

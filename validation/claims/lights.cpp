@@ -110,6 +110,10 @@ void add_picks(std::vector<Claim>& claims) {
       add_mean(claims, sum_by_contribution("pick.contribution" + among, ManyLights(n, 0.05), 0.05, 1));
     }
   }
+  // A number for each light: more than a point set has dimensions.
+  add_mean(claims, sum_of_all("pick.all.2", ManyLights(2, 0.5)));
+  claims.push_back(mean_claim<double>(sum_of_all("pick.all.1000", ManyLights(1000, 0.5))));
+  claims.push_back(mean_claim<Packet>(sum_of_all("pick.all.1000", ManyLights(1000, 0.5))));
   // Every pick looks at all of the lights, so few picks, and no point sets.
   const auto many = sum_by_contribution("pick.contribution.100000", ManyLights(100'000, 0.005), 0.005, 4);
   claims.push_back(mean_claim<double>(many));

@@ -6,21 +6,10 @@
 /// Wrong forms of adaptive sampling, of the class of Kirk and Arvo 1991; naive::PooledStages is the first of them.
 namespace fairlight::faults {
 
-/// Each stage's mean weighs as many samples as the pixel got in it, which the earlier samples decided.
+/// Each stage's mean weighs as many samples as the pixel got in it, which the earlier samples decided: all samples pooled.
 template <AllocationScore Score>
-class StagesWeighedByCounts {
- public:
-  StagesWeighedByCounts(AllocationPlan plan, std::uint64_t stages) : sampling_(plan, stages, 1) {}
-
-  template <class Draw>
-  std::vector<double> estimate(const Draw& draw) const {
-    PixelHistories all(sampling_.plan().grid.size());
-    for (const PixelHistories& stage : sampling_.run(draw)) detail::merge(all, stage);
-    return detail::means(all);
-  }
-
- private:
-  StagedSampling<Score> sampling_;
+struct StagesWeighedByCounts : naive::PooledStages<Score> {
+  StagesWeighedByCounts(AllocationPlan plan, std::uint64_t stages) : naive::PooledStages<Score>(plan, stages, 1) {}
 };
 
 /// A pixel's samples from the points of one set, stage after stage: the pilot's are strata of those that follow.
