@@ -110,6 +110,13 @@ RC_GTEST_PROP(Bsdf, MixtureIsInOrderAtTheEdges, ()) {
 
 const Vec3<double> unit(0.6, 0, 0.8);
 
+// Glossy of exponent 0 reflects (1 + z) / 2.
+TEST(Bsdf, SaysItsAlbedoInAMixtureToo) {
+  const Mixture surface(WeightedLobe{Glossy<double>(colour<double>(1, 0.5, 0), 0), 0.5, 0.5},
+                        WeightedLobe{Lambertian<double>(colour<double>(0, 1, 1)), 0.5, 0.5});
+  EXPECT_TRUE(surface.albedo(unit).isApprox(colour<double>(0.45, 0.725, 0.5), 1e-11));
+}
+
 // What has no law of its own about `out` takes vectors as they are: twice as long is twice as much, and nothing is mended.
 TEST(Bsdf, DoesNotNormaliseDirections) {
   EXPECT_EQ(Mirror<double>(colour<double>(1, 1, 1)).sample(2 * unit, {}).in, Vec3<double>(-1.2, 0, 1.6));
