@@ -6,12 +6,11 @@
 
 namespace fairlight {
 
-/// A direction that is not a unit vector is the caller's mistake, and is not normalised. Where a law is built about it (the lobe of
-/// Glossy, the visible normals of RoughConductor) it is refused with std::invalid_argument; elsewhere the formula is taken as
-/// it stands.
-
 /// Directions at a surface are unit vectors in its local frame, where the normal is +z and the side that is looked at is
-/// z > 0: `out` towards the viewer, `in` towards where the light comes from.
+/// z > 0: `out` towards the viewer, `in` towards where the light comes from. One that is not a unit vector is the caller's
+/// mistake, and is never normalised. An `out` that a law is built about (the lobe of Glossy, the visible normals of
+/// RoughConductor) is refused with std::invalid_argument by what draws from that law or gives its density; elsewhere, and
+/// for any `in`, the formula is taken as it stands: a mirror's image of a vector twice as long is twice as long.
 
 /// A direction that light may have come from, and what it is worth.
 template <class Real>
@@ -23,8 +22,9 @@ struct Bounce {
 
 /// What a surface does with light: `eval(out, in)`, the BSDF f without the cosine [1/sr]; `pdf(out, in)`, the density
 /// that `sample` draws `in` with; `sample(out, u)`, a pure function of a point u of the unit cube of `dimensions` numbers. Where light
-/// leaves in single directions (mirror, glass), f and the density have no value, and are 0. Where it is known in closed
-/// form, `albedo(out)` is the mean of a bounce's weight, the integral of f |cos(in)| over `in`.
+/// leaves in single directions (mirror, glass), f and the density have no value, and are 0. The surfaces of this kit also
+/// say `albedo(out)`, the mean of a bounce's weight, which is the integral of f |cos(in)| over `in`: in closed form, or to
+/// the accuracy that is stated there.
 template <class T>
 concept Bsdf = requires(const T bsdf, Vec3<typename T::Scalar> w,
                         Eigen::Matrix<typename T::Scalar, T::dimensions, 1> u) {

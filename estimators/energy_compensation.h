@@ -2,9 +2,7 @@
 
 #include <utility>
 
-#include <boost/math/quadrature/gauss.hpp>
-
-#include <fairlight/estimators/ggx_albedo.h>
+#include <fairlight/estimators/ggx_loss.h>
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/rough_conductor.h>
 
@@ -27,12 +25,20 @@ class EnergyCompensatedConductor {
 
   /// One roughness for all lanes, as its albedo is worked out here.
   EnergyCompensatedConductor(double alpha, const Reflectance& reflectance)
-      : single_(Ggx<Real>(rounded<Real>(alpha), rounded<Real>(alpha)), reflectance), loss_(alpha) {
-    const Real lost = rounded<Real>(loss_.mean());
+      : single_(Ggx<Real>(rounded<Real>(alpha), rounded<Real>(alpha)), reflectance),
+        loss_(alpha),
+        mean_loss_(rounded<Real>(loss_.mean())) {
     const Rgb<Real> f = mean(reflectance);
     for (int c = 0; c < 3; ++c) {
-      further_[c] = f[c] * f[c] * (Real(1) - lost) / ((Real(1) - f[c] * lost) * lost);
+      further_[c] = f[c] * f[c] * (Real(1) - mean_loss_) / ((Real(1) - f[c] * mean_loss_) * mean_loss_);
     }
+  }
+
+  /// That of the single reflection, and of the rest further_ (1 - E(out)) (1 - Eavg); to 1e-5.
+  Rgb<Real> albedo(const Vec3<Real>& out) const {
+    const Mask<Real> above = out.z() > Real(0);
+    const Real lost = loss_(select(above, out.z(), Real(1))) * mean_loss_;
+    return single_.albedo(out) + further_ * select(above, lost, Real(0));
   }
 
   Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {
@@ -60,19 +66,12 @@ class EnergyCompensatedConductor {
  private:
   /// Twice the integral of F(z) z.
   static Rgb<Real> mean(const Reflectance& reflectance) {
-    using Rule = boost::math::quadrature::gauss<double, 16>;
-    Rgb<Real> sum = zero<Rgb<Real>>();
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      for (double side : {-1.0, 1.0}) {
-        const double z = (1 + side * Rule::abscissa()[i]) / 2;
-        sum += reflectance(rounded<Real>(z)) * rounded<Real>(Rule::weights()[i] * z);
-      }
-    }
-    return sum;
+    return integrate_unit<Real, 16>([&](Real z) { return Rgb<Real>(reflectance(z) * (Real(2) * z)); });
   }
 
   RoughConductor<Real, Reflectance> single_;
   Loss loss_;
+  Real mean_loss_;  ///< 1 - Eavg
   CosineHemisphere<Real> cosine_;
   Rgb<Real> further_;  ///< C / (1 - Eavg)
 };

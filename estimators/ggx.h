@@ -22,6 +22,8 @@ class Ggx {
     }
   }
 
+  Vec2<Real> roughness() const { return {alpha_x_, alpha_y_}; }
+
   /// (ax x, ay y, z): facets and directions of the unit sphere, as this surface has them.
   Vec3<Real> stretched(const Vec3<Real>& w) const { return {alpha_x_ * w.x(), alpha_y_ * w.y(), w.z()}; }
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <fairlight/estimators/bsdf.h>
-#include <fairlight/estimators/ggx.h>
+#include <fairlight/estimators/ggx_albedo.h>
 #include <fairlight/estimators/reflectance.h>
 
 namespace fairlight {
@@ -25,6 +25,12 @@ class RoughConductor {
 
   RoughConductor(const Facets& facets, Reflectance reflectance)
       : facets_(facets), reflectance_(std::move(reflectance)) {}
+
+  /// To 2e-6, by quadrature: ggx_albedo.
+  Rgb<Real> albedo(const Vec3<Real>& out) const {
+    const Mask<Real> exists = above(out);
+    return select(exists, ggx_albedo(facets_, select(exists, out, up()), reflectance_), zero<Rgb<Real>>());
+  }
 
   /// The cosine at the facet is half the length of out + in.
   Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {

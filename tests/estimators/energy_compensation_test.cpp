@@ -68,8 +68,29 @@ TEST(EnergyCompensatedConductor, AddsLittleToADarkMetal) {
   EXPECT_GT(added[2], 0);
 }
 
+// White facets give back all the light, grey ones F E + C (1 - E) at alpha = 1, where both are closed forms.
+TEST(EnergyCompensatedConductor, ReflectsWhatItsFacetsDoNotAbsorb) {
+  const double once = 1 - 0.6 * std::log1p(1 / 0.6);
+  const double leaving = 4.0 / 3 * (1 - M_LN2);
+  const Rgb<double> further = gold.square() * leaving / (1 - gold * (1 - leaving));
+  EXPECT_TRUE(metal(1).albedo({0, 0.8, 0.6}).isApprox(gold * once + further * (1 - once), 1e-5));
+}
+
+RC_GTEST_PROP(EnergyCompensatedConductor, ReflectsAllOfItWhenItsFacetsAreWhite, ()) {
+  const double alpha = *roughness();
+  const Vec3<double> out = *direction_above();
+  const Rgb<double> reflected = metal(alpha).albedo(out);
+  RC_ASSERT(std::abs(reflected[0] - 1) <= 1e-5);
+  RC_ASSERT((reflected > 0).all() && (reflected <= 1 + 1e-5).all());
+  const Rgb<Packet> packets = metal<Packet>(alpha).albedo(out.cast<float>().cast<Packet>());
+  for (int c = 0; c < 3; ++c) {
+    for (double lane : testing::lanes_of(packets[c])) RC_ASSERT(std::abs(lane - reflected[c]) <= 3e-6);
+  }
+}
+
 TEST(EnergyCompensatedConductor, IsBlackFromBelow) {
   const auto surface = metal(0.5);
+  EXPECT_TRUE((surface.albedo({0.6, 0, -0.8}) == 0).all());
   const Vec3<double> below(0.6, 0, -0.8);
   for (const auto& [out, in] : {std::pair(up, below), std::pair(below, up), std::pair(up, Vec3<double>(-up))}) {
     EXPECT_TRUE((surface.eval(out, in) == 0).all());

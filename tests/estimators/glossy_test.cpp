@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <support/unit_square.h>
+#include <support/materials.h>
 
 #include <fairlight/estimators/glossy.h>
 #include <fairlight/estimators/hemisphere.h>
@@ -54,6 +54,38 @@ TEST(Glossy, AbsorbsWhatItDrawsBelowTheSurface) {
     EXPECT_GT(bounce.density.value(), 0);
     EXPECT_EQ((bounce.weight == 0).all(), bounce.in.z() <= 0);
   }
+}
+
+TEST(Glossy, ReflectsItsAlbedoOfWhatComesStraightOn) {
+  for (double exponent : {0.0, 0.5, 5.0, 1e4, 1e8}) {
+    EXPECT_TRUE(Glossy<double>(albedo, exponent).albedo({0, 0, 1}).isApprox(albedo, 1e-15)) << exponent;
+  }
+  EXPECT_TRUE((Glossy<double>(albedo, 5).albedo({0.6, 0, -0.8}) == 0).all());
+}
+
+// n = 0: the part of a hemisphere above the surface, (1 + z) / 2. n = 1: z (1 - theta / pi + sin(2 theta) / (2 pi)) + sin^3 / pi.
+TEST(Glossy, ReflectsLessFromTheSide) {
+  EXPECT_TRUE(Glossy<double>(albedo, 0).albedo({0.6, 0, 0.8}).isApprox(albedo * 0.9, 1e-11));
+  const double theta = std::asin(0.6);
+  const double seen = 0.8 * (1 - theta / M_PI + 0.48 / M_PI) + 0.216 / M_PI;
+  EXPECT_TRUE(Glossy<double>(albedo, 1).albedo({0, 0.6, 0.8}).isApprox(albedo * seen, 1e-11));
+}
+
+TEST(Glossy, OfAHighExponentReflectsTheCosine) {
+  for (double z : {0.9, 0.5, 0.01}) {
+    const Vec3<double> out(std::sqrt((1 - z) * (1 + z)), 0, z);
+    EXPECT_TRUE(Glossy<double>(albedo, 1e8).albedo(out).isApprox(albedo * z, 1e-11)) << z;
+  }
+}
+
+RC_GTEST_PROP(Glossy, ReflectsNoMoreThanItsAlbedo, ()) {
+  const double exponent = *rc::gen::element(0.0, 0.1, 1.0) + any_exponent() - 1;
+  const Vec3<double> out = any_out();
+  const Rgb<double> reflected = Glossy<double>(albedo, exponent).albedo(out);
+  RC_ASSERT((reflected > 0).all() && (reflected <= albedo * (1 + 8 * ulp<double>)).all());
+  const Rgb<Packet> packets = Glossy<Packet>(albedo.cast<float>().cast<Packet>(), rounded<Packet>(exponent))
+                                  .albedo(out.cast<float>().cast<Packet>());
+  for (int c = 0; c < 3; ++c) RC_ASSERT(std::abs(testing::lanes_of(packets[c])[0] / reflected[c] - 1) <= 2e-6);
 }
 
 template <class Surface>

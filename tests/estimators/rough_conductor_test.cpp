@@ -70,8 +70,44 @@ TEST(RoughConductor, IsSimpleAtRoughnessOne) {
   EXPECT_TRUE(conductor(1, 1).eval(out, in).isApprox(gold / (2 * M_PI * 1.4), 1e-15));
 }
 
+// The integral of z_in / (z_out + z_in) over z_in.
+TEST(RoughConductor, ReflectsAClosedFormAtRoughnessOne) {
+  for (double z : {1.0, 0.6, 0.1, 1e-3, 1e-6}) {
+    const Vec3<double> out(0, std::sqrt((1 - z) * (1 + z)), z);
+    EXPECT_TRUE(conductor(1, 1).albedo(out).isApprox(gold * (1 - z * std::log1p(1 / z)), 2e-6)) << z;
+  }
+}
+
+TEST(RoughConductor, IsAMirrorWhenItIsSmooth) {
+  EXPECT_TRUE(conductor(1e-4, 1e-4).albedo({0.6, 0, 0.8}).isApprox(gold, 1e-7));
+  const RoughConductor<double, SchlickReflectance<double>> varnish({1e-4, 1e-4}, SchlickReflectance<double>(gold));
+  EXPECT_TRUE(varnish.albedo({0, 0.6, 0.8}).isApprox(SchlickReflectance<double>(gold)(0.8), 1e-7));
+}
+
+// In double to the accuracy stated; in packets to that and some ulp.
+RC_GTEST_PROP(RoughConductor, ReflectsNoMoreThanItsFacets, ()) {
+  const double alpha_x = *roughness(), alpha_y = *roughness();
+  const Vec3<double> out = *direction_above();
+  const Rgb<double> reflected = conductor(alpha_x, alpha_y).albedo(out);
+  RC_ASSERT((reflected > 0).all() && (reflected <= gold * (1 + 2e-6)).all());
+  const Rgb<Packet> packets = conductor<Packet>(alpha_x, alpha_y).albedo(out.cast<float>().cast<Packet>());
+  for (int c = 0; c < 3; ++c) {
+    for (double lane : testing::lanes_of(packets[c])) RC_ASSERT(std::abs(lane - reflected[c]) <= 3e-6);
+  }
+}
+
+// Which axis is called x, and from which side one looks, does not matter.
+RC_GTEST_PROP(RoughConductor, ReflectsAlikeBySymmetry, ()) {
+  const double alpha_x = *roughness(), alpha_y = *roughness();
+  const Vec3<double> out = *direction_above();
+  const Rgb<double> reflected = conductor(alpha_x, alpha_y).albedo(out);
+  RC_ASSERT(conductor(alpha_y, alpha_x).albedo({out.y(), out.x(), out.z()}).isApprox(reflected, 1e-13));
+  RC_ASSERT(conductor(alpha_x, alpha_y).albedo({-out.x(), out.y(), out.z()}).isApprox(reflected, 1e-13));
+}
+
 TEST(RoughConductor, IsBlackFromBelow) {
   const auto surface = conductor(0.5, 0.5);
+  EXPECT_TRUE((surface.albedo({0.6, 0, -0.8}) == 0).all());
   const Vec3<double> below(0.6, 0, -0.8);
   for (const auto& [out, in] : {std::pair(up, below), std::pair(below, up), std::pair(up, Vec3<double>(-up))}) {
     EXPECT_TRUE((surface.eval(out, in) == 0).all());

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include <support/unit_square.h>
@@ -31,14 +30,6 @@ inline rc::Gen<Vec3<double>> direction_above() {
     const double phi = 2 * pi<double> * p.second;
     return Vec3<double>(radius * std::cos(phi), radius * std::sin(phi), p.first);
   });
-}
-
-/// The lanes of a number.
-template <class Real>
-std::array<double, lanes<Real>> lanes_of(const Real& x) {
-  std::array<double, lanes<Real>> values{};
-  store_lanes(x, values.data());
-  return values;
 }
 
 }  // namespace fairlight::testing

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <rapidcheck.h>
@@ -30,6 +31,14 @@ std::vector<Vec2<Real>> edge_points() {
     for (Lane<Real> b : {Lane<Real>(0), tiny, Lane<Real>(0.5), 1 - tiny}) points.emplace_back(Real(a), Real(b));
   }
   return points;
+}
+
+/// The lanes of a number.
+template <class Real>
+std::array<double, lanes<Real>> lanes_of(const Real& x) {
+  std::array<double, lanes<Real>> values{};
+  store_lanes(x, values.data());
+  return values;
 }
 
 }  // namespace fairlight::testing

@@ -38,7 +38,12 @@ struct GgxAlbedo {
       const double law = std::sinh(x) / std::pow(std::cosh(x), 3) / std::numbers::pi;
       return horizon * law * out.dot(normal) / out.z() / (1 + lambda(out) + lambda(in));
     };
-    return integrate_rectangle(strip, -std::numbers::pi, std::numbers::pi, 0, 1).value;
+    // Cut where facets begin to turn away from out, which at a low out is abrupt.
+    const double azimuth = std::atan2(alpha_y * out.y(), alpha_x * out.x());
+    const auto half = [&](double from) {
+      return integrate_rectangle(strip, from, from + std::numbers::pi, 0, 1).value;
+    };
+    return half(azimuth - std::numbers::pi / 2) + half(azimuth + std::numbers::pi / 2);
   }
 
  private:
