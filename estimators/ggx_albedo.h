@@ -65,12 +65,14 @@ class ReflectingSlopes {
   /// end, as sinh does.
   Value from(Real end, Real width, Real fast) const {
     using std::asinh;
+    using std::cos;
     using std::cosh;
+    using std::sin;
     using std::sinh;
     const Real reach = asinh(Real(width / fast));
     const auto both = [&](Real t) {
-      const auto [sine, cosine] = sine_and_cosine(Real(end + fast * sinh(Real(reach * t))));
-      const Vec2<Real> slope(alpha_.x() * cosine, alpha_.y() * sine);
+      const Real azimuth = end + fast * sinh(Real(reach * t));
+      const Vec2<Real> slope(alpha_.x() * cos(azimuth), alpha_.y() * sin(azimuth));
       return Value((along(slope) + along(-slope)) * Real(cosh(Real(reach * t))));
     };
     return integrate_unit<Real, 16>(both) * Real(reach * fast);

@@ -5,6 +5,7 @@
 
 #include <sys/resource.h>
 
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/progress.h>
@@ -22,7 +23,7 @@ constexpr unsigned long most_shards = 65536;
 struct RenderOptions {
   RenderSettings settings;
   std::uint64_t spp = 0;
-  std::string output, png, json, seed, resume;
+  std::string output, png, json, seed, resume, instructions;
   std::string shard = "1/1";
   int threads = hardware_threads();
 };
@@ -113,7 +114,7 @@ int render(const RenderOptions& options) {
 
   const auto begin = std::chrono::steady_clock::now();
   const RenderCost cost = render_image(view, options.settings, seed, range, options.threads, picture.film,
-                                       progress_bar(options.settings.scene.c_str()));
+                                       progress_bar(options.settings.scene.c_str()), options.instructions);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
   write_exr(options.output, picture);
@@ -137,6 +138,12 @@ int merge(const std::vector<std::string>& inputs, const std::string& output) {
 
 // An empty value is what an unset shell variable makes; it is not the same as no option.
 std::string not_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
+
+std::vector<std::string> instruction_names() {
+  std::vector<std::string> names;
+  for (const InstructionSet& set : instruction_sets()) names.push_back(set.name);
+  return names;
+}
 
 void add_render(CLI::App& program, Command& command) {
   auto* app = program.add_subcommand("render", "Render a built-in scene to an OpenEXR file");
@@ -174,6 +181,8 @@ void add_render(CLI::App& program, Command& command) {
   app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
       ->check(CLI::Range(0, 1 << 20));
   app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  app->add_option("--instructions", options->instructions, "What packets are worked on by; the widest if not given")
+      ->check(CLI::IsMember(instruction_names()));
   app->add_option("--seed", options->seed, "1 to 16 hexadecimal digits; fresh if not given")->check(not_empty, "");
   app->callback([options, &command] { command = [options] { return render(*options); }; });
 }

@@ -1,11 +1,9 @@
 #include <algorithm>
-#include <memory>
 #include <mutex>
-#include <stdexcept>
 
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/render_image.h>
-#include <fairlight/render/tile_tracer.h>
 
 namespace fairlight {
 namespace {
@@ -22,19 +20,14 @@ std::vector<Tile> tiles(int width, int height) {
   return all;
 }
 
-std::unique_ptr<TileRenderer> tile_renderer(const std::string& real, const TileSettings& settings) {
-  if (real == "double") return std::make_unique<TileTracer<double>>(settings);
-  if (real == "packet") return std::make_unique<TileTracer<Packet>>(settings);
-  throw std::invalid_argument("there is no arithmetic \"" + real + "\" (see fairlight render --help)");
-}
-
 }  // namespace
 
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
-                        int threads, Film& film, const Progress& progress) {
+                        int threads, Film& film, const Progress& progress, const std::string& instructions) {
   const Strategies strategies(settings, view.scene);
-  const auto renderer = tile_renderer(
-      settings.real, {view.scene, view.camera, strategies, StreamKey(seed, "render"), film.width(), film.height()});
+  const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render"),
+                           film.width(), film.height()};
+  const auto renderer = tile_renderer(settings.real, choose_instructions(instructions), tiled);
   const std::vector<Tile> units = tiles(film.width(), film.height());
   RenderCost cost;
   std::mutex mutex;

@@ -7,18 +7,9 @@
 #include <span>
 
 #include <fairlight/estimators/stream.h>
-#include <fairlight/render/camera.h>
-#include <fairlight/render/film.h>
-#include <fairlight/render/strategies.h>
+#include <fairlight/render/tile_renderer.h>
 
 namespace fairlight {
-
-/// A part of an image.
-struct Tile {
-  int left, top, right, bottom;
-  int width() const { return right - left; }
-  int pixels() const { return width() * (bottom - top); }
-};
 
 /// The numbers of vertices of paths, one path a lane: of its pixel, its sample and its vertex, whatever lane it is in.
 inline PhiloxStream<double> numbers_of(std::type_identity<double>, const StreamKey& key,
@@ -34,24 +25,6 @@ PhiloxStream<xsimd::batch<float, A>> numbers_of(std::type_identity<xsimd::batch<
   return {key, Word::load_unaligned(pixels.data()), Word::load_unaligned(samples.data()),
           Word::load_unaligned(vertices.data())};
 }
-
-/// Renders tiles of an image.
-class TileRenderer {
- public:
-  virtual ~TileRenderer() = default;
-  /// Adds samples `range` of the tile's pixels to the film, and returns the number of rays that were traced. Any number of threads may
-  /// render at once, each its own tile.
-  virtual std::uint64_t render(const Tile& tile, SampleRange range, Film& film) const = 0;
-};
-
-/// What a renderer of tiles needs to know.
-struct TileSettings {
-  const Scene& scene;
-  const Camera& camera;
-  const Strategies& strategies;
-  StreamKey key;
-  int width, height;  ///< of the image
-};
 
 /// A tile's samples are jobs, as many as there are lanes are on their way at once, and a lane whose path has ended takes
 /// the next job. What a job gives depends on its pixel and its sample alone, whatever lane it is in.

@@ -1,0 +1,65 @@
+#include <stdexcept>
+
+#include <fairlight/render/instruction_sets.h>
+#include <fairlight/render/tile_tracer.h>
+
+#if defined(__x86_64__)
+extern "C" {
+fairlight::TileRenderer* fairlight_tile_renderer_avx2(const fairlight::TileSettings&);
+fairlight::TileRenderer* fairlight_tile_renderer_avx512(const fairlight::TileSettings&);
+}
+#endif
+
+namespace fairlight {
+namespace {
+
+template <class Real>
+TileRenderer* make_renderer(const TileSettings& settings) {
+  return new TileTracer<Real>(settings);
+}
+
+}  // namespace
+
+const std::vector<InstructionSet>& instruction_sets() {
+#if defined(__x86_64__)
+  static const std::vector<InstructionSet> sets{
+      {"sse2", true, 4, make_renderer<Packet>},
+      {"avx2", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), 8, fairlight_tile_renderer_avx2},
+      {"avx512",
+       __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512cd"),
+       16, fairlight_tile_renderer_avx512}};
+#else
+  static const std::vector<InstructionSet> sets{{"neon", true, lanes<Packet>, make_renderer<Packet>}};
+#endif
+  return sets;
+}
+
+const InstructionSet& choose_instructions(const std::string& name, const std::vector<InstructionSet>& sets) {
+  std::string known;
+  const InstructionSet* widest = nullptr;
+  for (const InstructionSet& set : sets) {
+    if (!set.runs_here) {
+      if (set.name == name)
+        throw std::invalid_argument("this machine does not have the instructions \"" + name +
+                                    "\" (leave them out)");
+      continue;
+    }
+    if (set.name == name) return set;
+    widest = &set;
+    known += " " + set.name;
+  }
+  if (!name.empty())
+    throw std::invalid_argument("there are no instructions \"" + name + "\" (choose one of:" + known + ")");
+  return *widest;
+}
+
+std::unique_ptr<TileRenderer> tile_renderer(const std::string& real, const InstructionSet& instructions,
+                                            const TileSettings& settings) {
+  if (real == "double") return std::unique_ptr<TileRenderer>(make_renderer<double>(settings));
+  if (real == "packet") return std::unique_ptr<TileRenderer>(instructions.make(settings));
+  throw std::invalid_argument("there is no arithmetic \"" + real + "\" (see fairlight render --help)");
+}
+
+}  // namespace fairlight
