@@ -96,9 +96,7 @@ class TileTracer : public TileRenderer {
         const bool enough = 4 * static_cast<std::size_t>(std::popcount(idle)) >= lanes<Real>;
         if (enough && next_ < jobs_) idle = start(path, alive, idle);
         if (idle == everyone) return;
-        auto source = numbers_of(std::type_identity<Real>{}, by_.key_, pixel_, sample_, vertex_);
-        for (auto& vertex : vertex_) ++vertex;
-        alive = by_.tracer_.advance(scene, path, source, alive);
+        alive = advance(scene, path, alive);
         const std::uint32_t ended = ~lane_bits(alive) & ~idle & everyone;
         if (ended != 0) finish(path, ended);
         idle |= ended;
@@ -113,6 +111,14 @@ class TileTracer : public TileRenderer {
     }
 
    private:
+    /// A vertex of all paths. Flattened: hundreds of small functions about packets, of which a compiler leaves some uninlined.
+    [[gnu::flatten]] Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
+                                        const Mask<Real>& alive) {
+      auto source = numbers_of(std::type_identity<Real>{}, by_.key_, pixel_, sample_, vertex_);
+      for (auto& vertex : vertex_) ++vertex;
+      return by_.tracer_.advance(scene, path, source, alive);
+    }
+
     /// Gives jobs to idle lanes, and returns those that are still idle.
     [[gnu::flatten]] std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
       Numbers fresh{};

@@ -30,7 +30,7 @@ auto by_power(const Scene& scene, int max_depth) {
 void add_furnaces(std::vector<Claim>& claims) {
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
   add(furnace_radiance<Tracer<NoDirectLight, Roulette>>("furnace.bounce",
-                                                        {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
+                                                        {"PathTracer", "NoDirectLight", "RouletteByReflectance"}, 2));
   add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
                                               {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
   add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 24.5,
