@@ -48,6 +48,9 @@ class PowerChoice {
 
   int size() const { return size_; }
 
+  /// P(i).
+  Real probability(const Index<Real>& i) const { return gather(probabilities_.data(), i); }
+
   Pick<Real> sample(const Vec2<Real>& u) const {
     Real index(0);
     for (int step = 1 << steps_ >> 1; step > 0; step >>= 1) {
@@ -94,6 +97,12 @@ class ContributionChoice {
   }
 
   int size() const { return n_; }
+
+  /// P(i), where weight(i) is known of every lane's own i; 0 where nothing has any.
+  Real probability(const Index<Real>& i) const {
+    const Real sum = sum_of_weights().value();
+    return weight_(i) / select(sum > Real(0), sum, Real(1));
+  }
 
   /// The last alternative at which the sum of the weights before it has not passed the target.
   Pick<Real> sample(const Vec2<Real>& u) const {
@@ -158,6 +167,12 @@ template <class Choice>
 class OneBy {
  public:
   explicit OneBy(Choice choice) : choice_(std::move(choice)) {}
+
+  /// With which term i is drawn.
+  template <class Real>
+  Real probability(int /*n*/, const Index<Real>& i) const {
+    return choice_.probability(i);
+  }
 
   /// Of as many terms as the choice has alternatives; throws std::invalid_argument for another number.
   template <class Real, UniformSource<Real> Source, class Term>

@@ -46,6 +46,12 @@ class UniformChoice {
 /// Bound    the sum of the terms' bounds
 /// Source   the paper, A.1 ("one random point from each of the luminaires")
 struct AllOf {
+  /// With which term i is drawn.
+  template <class Real>
+  static Real probability(int /*n*/, const Index<Real>& /*i*/) {
+    return Real(1);
+  }
+
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
     auto total = zero<decltype(term(0, source))>();
@@ -66,6 +72,12 @@ struct AllOf {
 /// Bound    n times the hull of the terms' bounds
 /// Source   the paper, A.1 (the two-dice argument)
 struct OneOf {
+  /// With which term i is drawn.
+  template <class Real>
+  static Real probability(int n, const Index<Real>& /*i*/) {
+    return Real(1) / rounded<Real>(n);
+  }
+
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
     using Value = decltype(term(Index<Real>(), source));

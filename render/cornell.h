@@ -15,6 +15,19 @@ struct View {
   Camera camera;
 };
 
+/// The scenes of the paper's renderer: a box of five walls, each a sphere of radius 1e5 seen from within.
+/// Source   the paper, 2.2; smallpt (Beason 2007), from which its renderer took them
+View cornell_simple();
+View cornell_complex();
+/// The same box with a mirror, glass, rough metal and gloss, under a larger light of the same power.
+View cornell_materials();
+/// The same box lit by 1000 small spheres of unequal power, of which every tenth is dark.
+View many_lights();
+/// The box that was built and measured, of rectangles. Source: see cornell_original.cpp
+View cornell_original();
+/// A row of balls in a hallway, through a lens that is focused on the third. Source: the paper, Figs. 6 and 7
+View hallway();
+
 /// The names of the built-in scenes.
 std::vector<std::string> scene_names();
 

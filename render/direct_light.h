@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <utility>
 #include <vector>
 
 #include <fairlight/estimators/choose_light.h>
+#include <fairlight/estimators/mis.h>
 #include <fairlight/render/traced_scene.h>
 
 namespace fairlight {
@@ -47,51 +49,88 @@ struct PointsBy {
   }
 };
 
+/// All to the shadow rays: what a bounce finds counts nothing, unless it has no density, as no shadow ray can find it.
+/// Source   the paper, A.2
+struct LightAlone {
+  static constexpr bool finds_all_light() { return true; }
+  template <class Measure, class Real>
+  static Real weight(const std::array<Real, 2>&, const std::array<Density<Measure, Real>, 2>&, std::size_t i) {
+    return i == 0 ? Real(1) : Real(0);
+  }
+};
+
+/// Shared with the bounces, by a heuristic of multiple importance sampling.
+/// Source   Veach and Guibas 1995
+template <class Heuristic = BalanceHeuristic>
+struct Shared : Heuristic {
+  static constexpr bool finds_all_light() { return false; }
+};
+
 /// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of them or
-/// of one of them: `Luminaires` says which (AllOf, OneOf, OneBy), `Points` where on it.
-/// Formula  sum over L of  f Le cos / p_w, where the point is seen; else 0
+/// of one of them: `Luminaires` says which (AllOf, OneOf, OneBy), `Points` where on it, and `Sharing` what it counts where a bounce
+/// may find the same point.
+/// Formula  sum over L of  w f Le cos / p_w, where the point is seen; else 0
 /// Measure  solid angle, by Points
 /// Domain   luminaires that emit, from without, from within, or from their own surface; 0 where none does
 /// Random   two dimensions per shadow ray, and those of the choice
 /// Bound    per luminaire, max(Le f cos / p_w): by area at most A max(Le f) / d^2 with d the smallest distance from the
 ///          vertex to the luminaire, by cone S max(Le f) with S the cone's solid angle
 /// Source   Shirley, Wang, Zimmerman 1996; the paper, 3.2 and A.1
-template <class Luminaires, class Points = PointsBy<SphereByArea>>
+template <class Luminaires, class Points = PointsBy<SphereByArea>, class Sharing = LightAlone>
 class DirectLight {
  public:
-  explicit DirectLight(Luminaires luminaires = Luminaires(), Points points = Points())
-      : luminaires_(std::move(luminaires)), points_(std::move(points)) {}
+  explicit DirectLight(Luminaires luminaires = Luminaires(), Points points = Points(), Sharing sharing = Sharing())
+      : luminaires_(std::move(luminaires)), points_(std::move(points)), sharing_(std::move(sharing)) {}
 
-  /// Emission is counted where the path starts, and where the last bounce had no density, as no shadow ray can find it;
-  /// elsewhere it has been counted by one (the paper, A.2).
+  /// What emission counts that a bounce of this density has found along the ray. All of it where the path starts, and where
+  /// the last bounce had no density.
   template <class Real, class Scene>
-  static Real emission_weight(const Scene&, const Ray<Real>&, const Real& /*surface*/, const Real& density) {
-    return select(density == Real(0), Real(1), Real(0));
+  Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
+    const Mask<Real> single = density == Real(0);
+    if (sharing_.finds_all_light()) return select(single, Real(1), Real(0));
+    const LightTable<Real>& lights = scene.lights();
+    const Real light = lights.index(whole(surface));
+    const Mask<Real> found = !single && light >= Real(0);
+    if (!any(found)) return Real(1);
+    const Index<Real> i = whole(Real(select(found, light, Real(0))));
+    const auto by_light = points_.pdf(lights, i, ray.leaving == surface, ray.origin, ray.direction);
+    const Real chosen = seen_from(lights, ray.origin).template probability<Real>(lights.size(), i);
+    const Density<SolidAngle, Real> by_bounce(select(found, density, Real(1)));
+    return select(found, sharing_.weight(std::array{chosen, Real(1)}, std::array{by_light, by_bounce}, 1), Real(1));
   }
 
   /// Whether a bounce that has a density need not look for light.
-  static constexpr bool finds_all_light() { return true; }
+  bool finds_all_light() const { return sharing_.finds_all_light(); }
 
   template <class Real, class Scene, UniformSource<Real> Source, class Bsdf>
   Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
                      const Mask<Real>& asked = Mask<Real>(true)) const {
+    const LightTable<Real>& lights = scene.lights();
+    if (lights.size() == 0) return zero<Rgb<Real>>();
+    const auto& choice = seen_from(lights, vertex.position);
     const auto term = [&](const auto& i, Source& numbers) {
-      return from(Index<Real>(i), scene, vertex, bsdf, numbers, asked);
+      const Index<Real> light(i);
+      const Real chosen = finds_all_light() ? Real(1) : choice.template probability<Real>(lights.size(), light);
+      return from(light, chosen, scene, vertex, bsdf, numbers, asked);
     };
-    const int n = scene.lights().size();
-    if (n == 0) return zero<Rgb<Real>>();
-    if constexpr (requires { luminaires_.seen_from(scene.lights(), vertex.position); }) {
-      return luminaires_.seen_from(scene.lights(), vertex.position).template sum<Real>(n, source, term);
-    } else {
-      return luminaires_.template sum<Real>(n, source, term);
-    }
+    return choice.template sum<Real>(lights.size(), source, term);
   }
 
  private:
+  // How one of the luminaires is chosen at a point.
+  template <class Real>
+  decltype(auto) seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) const {
+    if constexpr (requires { luminaires_.seen_from(lights, point); }) {
+      return luminaires_.seen_from(lights, point);
+    } else {
+      return (luminaires_);
+    }
+  }
+
   // A luminaire on which the vertex itself lies shows its inner face to it: where it reflects outwards, nothing.
   template <class Real, class Scene, class Source, class Bsdf>
-  Rgb<Real> from(const Index<Real>& light, const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf,
-                 Source& source, const Mask<Real>& asked) const {
+  Rgb<Real> from(const Index<Real>& light, const Real& chosen, const Scene& scene, const Vertex<Real>& vertex,
+                 const Bsdf& bsdf, Source& source, const Mask<Real>& asked) const {
     const LightTable<Real>& lights = scene.lights();
     const Real surface = lights.surface(light);
     const auto [direction, distance, density] =
@@ -103,14 +142,16 @@ class DirectLight {
     if (!any(counts)) return zero<Rgb<Real>>();
     const Mask<Real> seen =
         counts && scene.visible({vertex.position, towards, vertex.surface}, distance, surface, counts);
-    const Real cosine = vertex.normal.dot(towards);
-    const Rgb<Real> brought =
-        lights.radiance(light) * reflected * Real(cosine / select(exists, density.value(), Real(1)));
-    return select(seen, brought, zero<Rgb<Real>>());
+    Real factor = vertex.normal.dot(towards) / select(exists, density.value(), Real(1));
+    if (!sharing_.finds_all_light()) {
+      factor *= sharing_.weight(std::array{chosen, Real(1)}, std::array{density, bsdf.pdf_world(towards)}, 0);
+    }
+    return select(seen, Rgb<Real>(lights.radiance(light) * reflected * factor), zero<Rgb<Real>>());
   }
 
   Luminaires luminaires_;
   Points points_;
+  Sharing sharing_;
 };
 
 /// One of a scene's luminaires by its power.
@@ -125,7 +166,7 @@ OneBy<PowerChoice<Real>> one_by_power(const Scene& scene) {
 struct OneByContribution {
   template <class Real>
   static auto seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) {
-    const auto weight = [&lights, point](int i) { return lights.contribution(i, point); };
+    const auto weight = [&lights, point](const Index<Real>& i) { return lights.contribution(i, point); };
     return OneBy(ContributionChoice<Real, decltype(weight)>(lights.size(), weight));
   }
 };

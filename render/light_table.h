@@ -46,9 +46,8 @@ class LightTable {
 
   /// What light i may bring to a point, but for a factor: its power over the square of its distance, which counts as at least
   /// its radius. Positive wherever it brings anything.
-  Real contribution(int i, const Vec3<Real>& point) const {
+  Real contribution(const Index<Real>& light, const Vec3<Real>& point) const {
     using std::max;
-    const Index<Real> light(i);
     const Real radius = radii_(light);
     return powers_(light) / max(Real((centres_(light) - point).squaredNorm()), Real(radius * radius));
   }

@@ -62,8 +62,7 @@ class PathTracer {
 
   /// The paths that are alive, to their next vertex and off it: adds what they find there, and says which go on.
   template <class Real, class Scene, UniformSource<Real> Source>
-  Mask<Real> advance(const Scene& scene, Path<Real>& path, Source& source,
-                                      Mask<Real> alive) const {
+  Mask<Real> advance(const Scene& scene, Path<Real>& path, Source& source, Mask<Real> alive) const {
     const Hit<Real> hit = scene.intersect(path.ray, alive);
     alive = alive && hit.surface >= Real(0);
     const auto surface = whole(Real(select(alive, hit.surface, Real(0))));

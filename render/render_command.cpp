@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include <sys/resource.h>
@@ -104,7 +105,7 @@ void check_count(const Picture& picture, std::uint64_t spp) {
 }
 
 int render(const RenderOptions& options) {
-  const View view = built_in_scene(options.settings.scene);
+  const View view = view_of(options.settings);
   check_outputs(options);
   Picture picture = start(options);
   check_count(picture, options.spp);
@@ -171,7 +172,8 @@ void add_render(CLI::App& program, Command& command) {
   };
   choice("--real", settings.real, "Packets of floats, or doubles one at a time", {"packet", "double"});
   choice("--bounce", settings.bounce, "How directions are sampled", {"cosine", "uniform"});
-  choice("--direct", settings.direct, "Shadow rays to luminaires, or none", {"light", "none"});
+  choice("--direct", settings.direct, "Shadow rays to luminaires, none, or shared with bounces",
+         {"light", "none", "mis"});
   choice("--light-sampling", settings.light_sampling, "How a luminaire's points are sampled",
          {"area", "visible", "cone", "solid-angle"});
   choice("--which-light", settings.which_light, "All luminaires, or one of them: any, or by power or contribution",
@@ -180,6 +182,14 @@ void add_render(CLI::App& program, Command& command) {
   choice("--filter", settings.filter, "The pixel filter", {"tent", "box", "gaussian", "blackman-harris"});
   app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
       ->check(CLI::Range(0, 1 << 20));
+  const CLI::Range any_size(0.0, std::numeric_limits<double>::max());
+  app->add_option("--aperture", settings.aperture,
+                  "The radius of the lens, 0 for a pinhole; the scene's own if not given")
+      ->check(any_size);
+  app->add_option("--focus", settings.focus, "The distance that is seen sharp; the scene's own if not given")
+      ->check(any_size);
+  app->add_option("--fov", settings.fov, "The vertical field of view in degrees; the scene's own if not given")
+      ->check(any_size);
   app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
   app->add_option("--instructions", options->instructions, "What packets are worked on by; the widest if not given")
       ->check(CLI::IsMember(instruction_names()));

@@ -22,6 +22,16 @@ std::vector<Tile> tiles(int width, int height) {
 
 }  // namespace
 
+View view_of(const RenderSettings& settings) {
+  View view = built_in_scene(settings.scene);
+  CameraSettings camera = view.camera.settings();
+  if (settings.aperture >= 0) camera.aperture_radius = settings.aperture;
+  if (settings.focus >= 0) camera.focus_distance = settings.focus;
+  if (settings.fov >= 0) camera.image_height = image_height_of(settings.fov);
+  view.camera = Camera(camera);
+  return view;
+}
+
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions) {
   const Strategies strategies(settings, view.scene);

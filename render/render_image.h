@@ -9,6 +9,9 @@
 
 namespace fairlight {
 
+/// The scene that the settings name, through the camera that they ask for. Throws std::invalid_argument for one that does not exist.
+View view_of(const RenderSettings& settings);
+
 /// What a render cost.
 struct RenderCost {
   std::uint64_t paths = 0;

@@ -56,7 +56,7 @@ Strategies::Strategies(const RenderSettings& settings, const Scene& scene)
     : bounce(choose<Bounce>("bounce", settings.bounce, std::pair("cosine", Bounce::cosine),
                             std::pair("uniform", Bounce::uniform))),
       direct(choose<Direct>("direct light", settings.direct, std::pair("light", Direct::light),
-                            std::pair("none", Direct::none))),
+                            std::pair("none", Direct::none), std::pair("mis", Direct::mis))),
       light_sampling(choose<LightSampling>(
           "light sampling", settings.light_sampling, std::pair("area", LightSampling::area),
           std::pair("visible", LightSampling::visible), std::pair("cone", LightSampling::cone),

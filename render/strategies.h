@@ -12,7 +12,7 @@ namespace fairlight {
 /// behind a branch that always goes the same way: a cycle among the hundreds of a vertex.
 struct Strategies {
   enum class Bounce { cosine, uniform };
-  enum class Direct { light, none };
+  enum class Direct { light, none, mis };
   enum class LightSampling { area, visible, cone, solid_angle };
   enum class WhichLight { all, one, power, contribution };
   enum class Roulette { albedo, throughput, off };
@@ -97,9 +97,26 @@ class ChosenLuminaires {
 
  private:
   struct Seen {
+    Strategies::WhichLight which(int n) const { return n == 1 ? Strategies::WhichLight::all : chosen.which_; }
+
+    template <class>
+    Real probability(int n, const Index<Real>& i) const {
+      switch (which(n)) {
+        case Strategies::WhichLight::one:
+          return OneOf::probability<Real>(n, i);
+        case Strategies::WhichLight::power:
+          return chosen.by_power_.template probability<Real>(n, i);
+        case Strategies::WhichLight::contribution:
+          return OneByContribution::seen_from(lights, point).template probability<Real>(n, i);
+        case Strategies::WhichLight::all:
+          break;
+      }
+      return AllOf::probability<Real>(n, i);
+    }
+
     template <class, class Source, class Term>
     auto sum(int n, Source& source, const Term& term) const {
-      switch (n == 1 ? Strategies::WhichLight::all : chosen.which_) {
+      switch (which(n)) {
         case Strategies::WhichLight::one:
           return OneOf::sum<Real>(n, source, term);
         case Strategies::WhichLight::power:
@@ -120,28 +137,39 @@ class ChosenLuminaires {
   OneBy<PowerChoice<Real>> by_power_;
 };
 
+/// What a shadow ray counts.
+struct ChosenSharing {
+  bool finds_all_light() const { return direct == Strategies::Direct::light; }
+  template <class Real>
+  Real weight(const std::array<Real, 2>& n, const std::array<Density<SolidAngle, Real>, 2>& p,
+              std::size_t i) const {
+    return finds_all_light() ? LightAlone::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
+  }
+  Strategies::Direct direct;
+};
+
 /// Shadow rays, or none.
 template <class Real>
 class ChosenDirect {
  public:
   ChosenDirect(const Strategies& strategies, const Scene& scene)
-      : light_(strategies.direct == Strategies::Direct::light),
-        direct_(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}) {}
+      : direct_(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}, {strategies.direct}),
+        none_(strategies.direct == Strategies::Direct::none) {}
 
   Real emission_weight(const auto& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
-    return light_ ? direct_.emission_weight(scene, ray, surface, density) : Real(1);
+    return none_ ? Real(1) : direct_.emission_weight(scene, ray, surface, density);
   }
-  bool finds_all_light() const { return light_; }
+  bool finds_all_light() const { return direct_.finds_all_light(); }
 
   template <class, class Scene, class Source, class Bsdf>
   Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
                      const Mask<Real>& asked) const {
-    return light_ ? direct_.template estimate<Real>(scene, vertex, bsdf, source, asked) : zero<Rgb<Real>>();
+    return none_ ? zero<Rgb<Real>>() : direct_.template estimate<Real>(scene, vertex, bsdf, source, asked);
   }
 
  private:
-  bool light_;
-  DirectLight<ChosenLuminaires<Real>, ChosenPoints> direct_;
+  DirectLight<ChosenLuminaires<Real>, ChosenPoints, ChosenSharing> direct_;
+  bool none_;
 };
 
 /// What decides whether a path goes on. By throughput from its third bounce on: the first ones carry most of the picture.

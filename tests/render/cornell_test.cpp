@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/render/cornell.h>
+#include <fairlight/render/geometry.h>
 
 namespace fairlight {
 namespace {
@@ -14,8 +15,8 @@ struct Seen {
 
 Seen look(const View& view, Vec3<double> from, Vec3<double> direction) {
   const Ray<double> ray{from, direction.normalized(), -1};
-  const auto hit = view.scene.intersect(ray);
-  return {hit.surface, ray.origin + hit.distance * ray.direction};
+  const auto hit = Geometry<double>(view.scene).intersect(ray);
+  return {static_cast<int>(hit.surface), ray.origin + hit.distance * ray.direction};
 }
 
 TEST(CornellSimple, HasItsWallsWhereThePaperHasThem) {
@@ -33,7 +34,7 @@ TEST(CornellSimple, HasARedLeftAndABlueRightWall) {
   const View view = built_in_scene("cornell-simple");
   const auto albedo = [&](double x) {
     const int surface = look(view, {50, 40.8, 81.6}, {x, 0, 0}).surface;
-    return view.scene.surfaces()[static_cast<std::size_t>(surface)].albedo;
+    return view.scene.surfaces()[static_cast<std::size_t>(surface)].material.albedo;
   };
   EXPECT_TRUE((albedo(-1) == Rgb<double>(.75, .25, .25)).all());
   EXPECT_TRUE((albedo(1) == Rgb<double>(.25, .25, .75)).all());
@@ -46,7 +47,39 @@ TEST(CornellSimple, IsLitByOneSphere) {
   EXPECT_TRUE(light.centre.isApprox(Vec3<double>(50, 65.1, 81.6)));
   EXPECT_EQ(light.radius, 1.5);
   EXPECT_TRUE((light.radiance == 400).all());
-  EXPECT_TRUE((view.scene.surfaces()[static_cast<std::size_t>(light.surface)].albedo == 0).all());
+  EXPECT_TRUE((view.scene.surfaces()[static_cast<std::size_t>(light.surface)].material.albedo == 0).all());
+}
+
+TEST(CornellComplex, HasThreeSpheresAndTwoLights) {
+  const View view = cornell_complex();
+  EXPECT_NEAR(look(view, {20, 60, 40}, {0, -1, 0}).point.y(), 33, 1e-12);
+  EXPECT_NEAR(look(view, {50, 60, 80}, {0, -1, 0}).point.y(), 33, 1e-12);
+  EXPECT_NEAR(look(view, {75, 60, 120}, {0, -1, 0}).point.y(), 33, 1e-12);
+  ASSERT_EQ(view.scene.luminaires().size(), 2u);
+  EXPECT_TRUE(view.scene.luminaires()[0].centre.isApprox(Vec3<double>(50, 65.1, 40)));
+  EXPECT_TRUE(view.scene.luminaires()[1].centre.isApprox(Vec3<double>(50, 65.1, 120)));
+}
+
+// Corners of the measured tops, which the rectangles meet to a millimetre and a half.
+TEST(CornellOriginal, HasItsBlocksWhereTheyWereMeasured) {
+  const View view = cornell_original();
+  const auto height = [&](double x, double z) { return look(view, {x, 500, z}, {0, -1, 0}).point.y(); };
+  for (const Vec2<double>& corner : {Vec2<double>(130, 65), {82, 225}, {240, 272}, {290, 114}}) {
+    const Vec2<double> inward = (Vec2<double>(185.5, 169) - corner).normalized();
+    EXPECT_NEAR(height(corner.x() + 2 * inward.x(), corner.y() + 2 * inward.y()), 165, 1e-9);
+    EXPECT_NEAR(height(corner.x() - 2 * inward.x(), corner.y() - 2 * inward.y()), 0, 1e-9);
+  }
+  for (const Vec2<double>& corner : {Vec2<double>(423, 247), {265, 296}, {314, 456}, {472, 406}}) {
+    const Vec2<double> inward = (Vec2<double>(368.5, 351.25) - corner).normalized();
+    EXPECT_NEAR(height(corner.x() + 2 * inward.x(), corner.y() + 2 * inward.y()), 330, 1e-9);
+    EXPECT_NEAR(height(corner.x() - 2 * inward.x(), corner.y() - 2 * inward.y()), 0, 1e-9);
+  }
+}
+
+TEST(ManyLights, AreUnequalAndSomeAreDark) {
+  const View view = many_lights();
+  EXPECT_EQ(view.scene.luminaires().size(), 900u);
+  EXPECT_GT(power_of(view.scene.luminaires()[6]), 5 * power_of(view.scene.luminaires()[0]));
 }
 
 TEST(BuiltInScene, ExistsForEveryName) {

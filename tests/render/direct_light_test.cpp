@@ -130,8 +130,8 @@ TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
 TEST(DirectLight, CountsEmissionOnlyWhereNoShadowRayHas) {
   const TracedScene<double> scene((Scene()));
   const Ray<double> ray{{0, 0, 0}, {0, 0, 1}, -1};
-  EXPECT_EQ(DirectLight<AllOf>::emission_weight(scene, ray, 0.0, 0.0), 1);
-  EXPECT_EQ(DirectLight<AllOf>::emission_weight(scene, ray, 0.0, 0.3), 0);
+  EXPECT_EQ(DirectLight<AllOf>().emission_weight(scene, ray, 0.0, 0.0), 1);
+  EXPECT_EQ(DirectLight<AllOf>().emission_weight(scene, ray, 0.0, 0.3), 0);
   EXPECT_EQ(NoDirectLight::emission_weight(scene, ray, 0.0, 0.3), 1);
 }
 

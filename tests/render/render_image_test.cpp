@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/render_image.h>
 
 namespace fairlight {
@@ -14,16 +15,25 @@ RenderSettings small() {
   return settings;
 }
 
-Film render(const RenderSettings& settings, SampleRange range, int threads) {
+Film render(const RenderSettings& settings, SampleRange range, int threads, const std::string& instructions = "") {
   Film film(settings.width, settings.height);
-  render_image(built_in_scene(settings.scene), settings, 11, range, threads, film, {});
+  render_image(view_of(settings), settings, 11, range, threads, film, {}, instructions);
   return film;
 }
 
+// In every arithmetic, by every instruction set that this machine has.
 TEST(RenderImage, IsTheSameForAnyNumberOfThreads) {
-  const Film one = render(small(), {0, 8}, 1);
-  EXPECT_EQ(one, render(small(), {0, 8}, 2));
-  EXPECT_EQ(one, render(small(), {0, 8}, 7));
+  const auto expect_same = [](const RenderSettings& settings, const std::string& instructions) {
+    const Film one = render(settings, {0, 8}, 1, instructions);
+    EXPECT_EQ(one, render(settings, {0, 8}, 2, instructions)) << instructions;
+    EXPECT_EQ(one, render(settings, {0, 8}, 7, instructions)) << instructions;
+  };
+  RenderSettings settings = small();
+  for (const InstructionSet& set : instruction_sets()) {
+    if (set.runs_here) expect_same(settings, set.name);
+  }
+  settings.real = "double";
+  expect_same(settings, "");
 }
 
 TEST(RenderImage, IsTheSumOfItsParts) {
@@ -41,22 +51,98 @@ TEST(RenderImage, CountsPathsAndRays) {
   EXPECT_EQ(cost.rays, cost.paths);
 }
 
-TEST(RenderImage, RunsEveryStrategy) {
-  for (const char* bounce : {"cosine", "uniform"}) {
-    for (const char* direct : {"light", "none"}) {
-      for (const char* which : {"all", "one"}) {
-        for (const char* roulette : {"albedo", "off"}) {
-          RenderSettings settings = small();
-          settings.bounce = bounce;
-          settings.direct = direct;
-          settings.which_light = which;
-          settings.roulette = roulette;
-          settings.max_depth = 3;
-          EXPECT_EQ(render(settings, {0, 1}, 2).at(0, 0)[0].count(), 1u);
+// More samples than are held at once, in parts that divide neither packets nor what is held.
+TEST(RenderImage, IsTheSumOfItsPartsAcrossWhatIsHeldAtOnce) {
+  Film parts = render(small(), {65, 70}, 2);
+  parts.merge(render(small(), {0, 65}, 2));
+  EXPECT_EQ(parts, render(small(), {0, 70}, 2));
+}
+
+using Values = std::vector<std::pair<std::string RenderSettings::*, std::vector<std::string>>>;
+const Values strategies{{&RenderSettings::real, {"packet", "double"}},
+                        {&RenderSettings::bounce, {"cosine", "uniform"}},
+                        {&RenderSettings::direct, {"light", "none", "mis"}},
+                        {&RenderSettings::light_sampling, {"area", "visible", "cone"}},
+                        {&RenderSettings::which_light, {"all", "one", "power", "contribution"}},
+                        {&RenderSettings::roulette, {"albedo", "throughput", "off"}},
+                        {&RenderSettings::filter, {"tent", "box", "gaussian", "blackman-harris"}}};
+
+// Every pair of strategies, in every scene that admits them.
+TEST(RenderImage, RunsEveryPairOfStrategies) {
+  RenderSettings settings = small();
+  settings.max_depth = 3;
+  for (std::size_t i = 0; i < strategies.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (const std::string& a : strategies[i].second) {
+        for (const std::string& b : strategies[j].second) {
+          RenderSettings pair = settings;
+          pair.*strategies[i].first = a;
+          pair.*strategies[j].first = b;
+          EXPECT_EQ(render(pair, {0, 1}, 2).at(0, 0)[0].count(), 1u) << a << " " << b;
         }
       }
     }
   }
+}
+
+TEST(RenderImage, RunsEveryScene) {
+  for (const std::string& scene : scene_names()) {
+    for (const char* real : {"packet", "double"}) {
+      RenderSettings settings = small();
+      settings.scene = scene;
+      settings.real = real;
+      const Film film = render(settings, {0, 2}, 2);
+      Rgb<double> sum(0, 0, 0);
+      for (int x = 0; x < film.width(); ++x) sum += film.mean(x, film.height() / 2);
+      EXPECT_GT(sum.minCoeff(), 0) << scene;
+    }
+  }
+}
+
+TEST(RenderImage, RunsOnOnePixel) {
+  RenderSettings settings = small();
+  settings.width = settings.height = 1;
+  EXPECT_EQ(render(settings, {0, 3}, 7).at(0, 0)[0].count(), 3u) << "more threads than pixels";
+}
+
+TEST(RenderImage, RefusesByNameWhatASceneDoesNotAdmit) {
+  const auto expect_refusal = [](const std::string& scene, const std::string& sampling) {
+    RenderSettings settings = small();
+    settings.scene = scene;
+    settings.light_sampling = sampling;
+    try {
+      render(settings, {0, 1}, 1);
+      FAIL() << scene;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(sampling), std::string::npos) << error.what();
+    }
+  };
+  expect_refusal("cornell-original", "cone");
+  expect_refusal("cornell-original", "visible");
+  expect_refusal("cornell-simple", "solid-angle");
+}
+
+TEST(RenderImage, RefusesShadowRaysWhereThereAreNoLuminaires) {
+  const View dark{"dark", Scene(), view_of(small()).camera};
+  Film film(4, 4);
+  RenderSettings settings;
+  EXPECT_THROW(render_image(dark, settings, 1, {0, 1}, 1, film, {}), std::invalid_argument);
+  settings.direct = "none";
+  EXPECT_NO_THROW(render_image(dark, settings, 1, {0, 1}, 1, film, {}));
+}
+
+TEST(ViewOf, TakesTheLensThatIsAskedFor) {
+  RenderSettings settings;
+  EXPECT_FALSE(view_of(settings).camera.has_lens());
+  settings.aperture = 2;
+  settings.focus = 150;
+  settings.fov = 90;
+  const CameraSettings camera = view_of(settings).camera.settings();
+  EXPECT_EQ(camera.aperture_radius, 2);
+  EXPECT_EQ(camera.focus_distance, 150);
+  EXPECT_DOUBLE_EQ(camera.image_height, 2);
+  settings.fov = 180;
+  EXPECT_THROW(view_of(settings), std::invalid_argument);
 }
 
 TEST(RenderImage, RefusesPathsThatMightNotEnd) {
@@ -73,7 +159,7 @@ TEST(RenderImage, RefusesUniformBouncesWithoutADepthSinceTheirVarianceIsInfinite
 
 TEST(RenderImage, RefusesStrategiesThatDoNotExist) {
   for (std::string RenderSettings::*strategy :
-       {&RenderSettings::bounce, &RenderSettings::direct, &RenderSettings::light_sampling,
+       {&RenderSettings::real, &RenderSettings::bounce, &RenderSettings::direct, &RenderSettings::light_sampling,
         &RenderSettings::which_light, &RenderSettings::roulette, &RenderSettings::filter}) {
     RenderSettings settings = small();
     settings.*strategy = "sideways";

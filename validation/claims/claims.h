@@ -17,5 +17,6 @@ void add_camera_claims(std::vector<Claim>& claims);
 void add_allocation_claims(std::vector<Claim>& claims);
 void add_second_order_claims(std::vector<Claim>& claims);
 void add_scene_claims(std::vector<Claim>& claims);
+void add_built_in_scene_claims(std::vector<Claim>& claims);
 
 }  // namespace fairlight

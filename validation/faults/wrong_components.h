@@ -46,7 +46,7 @@ struct UnpaidRoulette {
 };
 
 /// One luminaire for all of them, not weighted by their number. On record: the class of LuxCore #68.
-struct OneUnweighted {
+struct OneUnweighted : OneOf {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
     return term(UniformChoice<Real>(n).sample(next_pair<Real>(source)).index, source);

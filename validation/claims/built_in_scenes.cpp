@@ -1,0 +1,78 @@
+#include <fairlight/validation/claims/claims.h>
+#include <fairlight/validation/scene_agreements.h>
+
+namespace fairlight {
+namespace {
+
+// Shadow rays to all luminaires, to points that they show, and paths of a fixed length: what the others are compared to.
+RenderSettings baseline(const std::string& light_sampling) {
+  RenderSettings settings;
+  settings.light_sampling = light_sampling;
+  settings.which_light = "all";
+  settings.roulette = "off";
+  return settings;
+}
+
+// One luminaire of several, chosen in each way.
+void add_which_light(std::vector<Claim>& claims, const SceneComparison& scene, const std::string& sampling) {
+  for (const std::string which : {"one", "power", "contribution"}) {
+    RenderSettings settings = baseline(sampling);
+    settings.which_light = which;
+    settings.roulette = which == "power" ? "throughput" : "albedo";
+    add_independent_mean(claims, strategies_agree(scene.scene + ".which." + which, {"PathTracer", "DirectLight"},
+                                                  scene, baseline(sampling), settings));
+  }
+}
+
+// Shadow rays and bounces that share the light; and, where bounces find it often enough, bounces alone.
+void add_bounces(std::vector<Claim>& claims, const SceneComparison& scene, const std::string& sampling,
+                 bool alone) {
+  const auto add = [&](const std::string& direct) {
+    RenderSettings settings = baseline(sampling);
+    settings.direct = direct;
+    settings.which_light = "one";
+    add_independent_mean(claims, strategies_agree(scene.scene + ".direct." + direct, {"PathTracer", "DirectLight"},
+                                                  scene, baseline(sampling), settings));
+  };
+  add("mis");
+  if (alone) add("none");
+}
+
+}  // namespace
+
+// What a shadow ray brings is at most S f Le, by cone and by solid angle, and A f Le / d^2 by area; a bounce that shares
+// brings no more, as the densities add up. Throughputs are at most 1.02, by the lobe of exponent 40.
+void add_built_in_scene_claims(std::vector<Claim>& claims) {
+  // A light of radius 1.5 is nowhere nearer than 15 to what it lights: 9 Le f pi / 15^2 = 12.8 by area, four times a path, for each.
+  const SceneComparison simple{"cornell-simple", 4, 4 * 12.8, 0.4, 10};
+  for (const std::string sampling : {"area", "visible"}) {
+    RenderSettings settings = baseline(sampling);
+    settings.roulette = "throughput";
+    add_independent_mean(
+        claims, strategies_agree("cornell-simple.sampling." + sampling, {"PathTracer", "DirectLight"}, simple,
+                                 baseline("cone"), settings));
+  }
+  add_bounces(claims, simple, "cone", false);
+  // Two such lights; the fainter of equal powers at a distance 15 against 150 is chosen with 1/101 at least, and brings then
+  // S f Le = 0.008 at most: less than the nearer one.
+  const SceneComparison complex{"cornell-complex", 4, 4 * 2 * 12.8, 0.4, 10};
+  add_which_light(claims, complex, "area");
+  add_bounces(claims, complex, "cone", false);
+  // Rough metal: f cos <= D / (2 alpha) <= 1 / (2 pi 0.25^3) = 10.2, of a light of radius 6 that is 44 away, S < 0.06, so 16; gloss
+  // 4 x 0.05 x 25 = 5; the ceiling 0.43 x 25 x 0.8 / pi = 2.8; and the light itself, 25, seen in a mirror or through glass.
+  const SceneComparison materials{"cornell-materials", 5, 5 * 16 + 25, 0.3, 20};
+  add_bounces(claims, materials, "cone", true);
+  // All of a hemisphere at most: 2 pi 17 x 0.725 / pi = 25; a bounce brings at most 17.
+  const SceneComparison original{"cornell-original", 4, 4 * 25, 0.2, 20};
+  add_bounces(claims, original, "solid-angle", true);
+  // By cone at most a hemisphere: 2 x 90 x 0.8 = 144, of one of three.
+  const SceneComparison balls{"hallway", 3, 3 * 3 * 144, 0.3, 20};
+  add_which_light(claims, balls, "cone");
+  add_bounces(claims, balls, "cone", false);
+  // A light of radius 0.15 and radiance up to 2 x 7 x 11 is at least 4.6 from what it lights: by cone 154 x 0.8 x 0.15^2 / 4.6^2 =
+  // 0.131, a thousand times.
+  const SceneComparison thousand{"many-lights", 1, 131, 0.1, 200};
+  add_which_light(claims, thousand, "cone");
+}
+
+}  // namespace fairlight
