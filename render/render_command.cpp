@@ -6,6 +6,7 @@
 
 #include <sys/resource.h>
 
+#include <fairlight/render/contact_sheet.h>
 #include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/picture.h>
@@ -206,18 +207,44 @@ void add_merge(CLI::App& program, Command& command) {
   app->callback([inputs, output, &command] { command = [inputs, output] { return merge(*inputs, *output); }; });
 }
 
+struct SheetOptions {
+  std::string png;
+  int size = 256;
+  std::uint64_t spp = 256;
+  int threads = hardware_threads();
+};
+
+int list_scenes(const SheetOptions& options) {
+  for (const std::string& name : scene_names()) std::puts(name.c_str());
+  if (options.png.empty()) return 0;
+  WholeFile::check_writable(options.png);
+  write_png(options.png,
+            contact_sheet(options.size, options.spp, fresh_seed(), options.threads, progress_bar("scenes")));
+  return 0;
+}
+
+void add_scenes(CLI::App& program, Command& command) {
+  auto* app = program.add_subcommand("scenes", "List the built-in scenes; and show them all on one sheet");
+  auto options = std::make_shared<SheetOptions>();
+  app->add_option("--png", options->png, "Render them all, three in a row")
+      ->check(not_empty, "")
+      ->type_name("F.png");
+  app->add_option("--size", options->size, "Pixels of each, across and down")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  app->add_option("--spp", options->spp, "Samples per pixel")
+      ->check(CLI::Range(std::uint64_t{1}, most_samples))
+      ->capture_default_str();
+  app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  app->callback([options, &command] { command = [options] { return list_scenes(*options); }; });
+}
+
 }  // namespace
 
 void add_render_commands(CLI::App& program, Command& command) {
   add_render(program, command);
   add_merge(program, command);
-  auto* scenes = program.add_subcommand("scenes", "List the built-in scenes");
-  scenes->callback([&command] {
-    command = [] {
-      for (const std::string& name : scene_names()) std::puts(name.c_str());
-      return 0;
-    };
-  });
+  add_scenes(program, command);
 }
 
 }  // namespace fairlight

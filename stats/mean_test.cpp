@@ -47,6 +47,19 @@ double rough_bias(const std::vector<Reference>& references, const DrawBlock& dra
   return worst;
 }
 
+// A range that is declared holds when it is wider as well: where the margin leads out of it, it is made so wide that the mean with
+// its margin lies inside.
+MeanHypothesis hypothesis_of(const Reference& r, double relative_margin) {
+  const double margin = relative_margin * r.scale;
+  return {r.mean,
+          margin,
+          std::min(r.lower, r.mean - 2 * margin),
+          std::max(r.upper, r.mean + 2 * margin),
+          r.tail_slack,
+          r.sides,
+          r.rounding * r.scale};
+}
+
 Finding finding_of(const BettingTest& test, const Reference& reference, double margin) {
   const Interval interval = test.interval();
   const auto relative = [&](double x) { return (x - reference.mean) / reference.scale; };
@@ -80,11 +93,7 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
   if (references.empty()) throw std::invalid_argument("a test of means needs at least one reference");
   std::vector<BettingTest> tests;
   const double alpha = trial.alpha / static_cast<double>(references.size());
-  for (const Reference& r : references) {
-    const MeanHypothesis hypothesis{r.mean,  trial.margin * r.scale, r.lower, r.upper, r.tail_slack,
-                                    r.sides, r.rounding * r.scale};
-    tests.emplace_back(hypothesis, alpha, trial.beta);
-  }
+  for (const Reference& r : references) tests.emplace_back(hypothesis_of(r, trial.margin), alpha, trial.beta);
   try {
     run(tests, draw_block);
   } catch (const BadDraw& bad) {

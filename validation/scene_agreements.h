@@ -12,7 +12,8 @@ struct SceneComparison {
   int max_depth;   ///< of both
   double largest;  ///< what a path's vertices bring at most, with either, but for the emission that the camera sees
   double mean;     ///< of the picture, in grey: no more than it is
-  double margin_factor;  ///< relative to the mean
+  double margin_factor;   ///< relative to the mean
+  double tail_slack = 0;  ///< what lies beyond `largest`, in the mean
 };
 
 /// The mean of a whole picture by two sets of strategies, which must be the same: paths from one point of the image and of
@@ -40,7 +41,7 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
                     "the mean of the picture of " + comparison.scene + " is the same by both strategies",
                     "the same integral",
                     comparison.margin_factor,
-                    {{0, -comparison.largest, comparison.largest, 0, comparison.mean}},
+                    {{0, -comparison.largest, comparison.largest, comparison.tail_slack, comparison.mean}},
                     draw};
 }
 

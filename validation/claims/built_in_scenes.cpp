@@ -20,7 +20,7 @@ void add_which_light(std::vector<Claim>& claims, const SceneComparison& scene, c
     settings.which_light = which;
     settings.roulette = which == "power" ? "throughput" : "albedo";
     add_independent_mean(claims, strategies_agree(scene.scene + ".which." + which, {"PathTracer", "DirectLight"},
-                                                  scene, baseline(sampling), settings));
+                                                  scene, settings, baseline(sampling)));
   }
 }
 
@@ -32,7 +32,7 @@ void add_bounces(std::vector<Claim>& claims, const SceneComparison& scene, const
     settings.direct = direct;
     settings.which_light = "one";
     add_independent_mean(claims, strategies_agree(scene.scene + ".direct." + direct, {"PathTracer", "DirectLight"},
-                                                  scene, baseline(sampling), settings));
+                                                  scene, settings, baseline(sampling)));
   };
   add("mis");
   if (alone) add("none");
@@ -41,10 +41,11 @@ void add_bounces(std::vector<Claim>& claims, const SceneComparison& scene, const
 }  // namespace
 
 // What a shadow ray brings is at most S f Le, by cone and by solid angle, and A f Le / d^2 by area; a bounce that shares
-// brings no more, as the densities add up. Throughputs are at most 1.02, by the lobe of exponent 40.
+// brings no more, as the densities add up, but where it meets a light so near to its rim that the shadow rays' density is
+// rounded to nothing, and brings f Le cos / p < Le. Throughputs are at most 1.02, by the lobe of exponent 40.
 void add_built_in_scene_claims(std::vector<Claim>& claims) {
   // A light of radius 1.5 is nowhere nearer than 15 to what it lights: 9 Le f pi / 15^2 = 12.8 by area, four times a path, for each.
-  const SceneComparison simple{"cornell-simple", 4, 4 * 12.8, 0.4, 10};
+  SceneComparison simple{"cornell-simple", 4, 4 * 12.8, 0.4, 10};
   for (const std::string sampling : {"area", "visible"}) {
     RenderSettings settings = baseline(sampling);
     settings.roulette = "throughput";
@@ -52,11 +53,17 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
         claims, strategies_agree("cornell-simple.sampling." + sampling, {"PathTracer", "DirectLight"}, simple,
                                  baseline("cone"), settings));
   }
+  // Of a bounce's directions a light fills less than pi (1.5 / 15)^2 / pi = 0.01, and its rim, 1e-5 of a radius wide, 2e-7: four
+  // times a path, Le = 400 and the albedo 0.8 for each.
+  simple.tail_slack = 4 * 2e-7 * 320;
+  simple.margin_factor = 20;
   add_bounces(claims, simple, "cone", false);
-  // Two such lights; the fainter of equal powers at a distance 15 against 150 is chosen with 1/101 at least, and brings then
+  // Two such lights; of equal powers at the distances 15 and 150 the fainter is chosen with 1/101 at least, and brings then
   // S f Le = 0.008 at most: less than the nearer one.
-  const SceneComparison complex{"cornell-complex", 4, 4 * 2 * 12.8, 0.4, 10};
+  SceneComparison complex{"cornell-complex", 4, 4 * 2 * 12.8, 0.4, 20};
   add_which_light(claims, complex, "area");
+  complex.tail_slack = 2 * simple.tail_slack;
+  complex.margin_factor = 30;
   add_bounces(claims, complex, "cone", false);
   // Rough metal: f cos <= D / (2 alpha) <= 1 / (2 pi 0.25^3) = 10.2, of a light of radius 6 that is 44 away, S < 0.06, so 16; gloss
   // 4 x 0.05 x 25 = 5; the ceiling 0.43 x 25 x 0.8 / pi = 2.8; and the light itself, 25, seen in a mirror or through glass.
@@ -65,14 +72,19 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   // All of a hemisphere at most: 2 pi 17 x 0.725 / pi = 25; a bounce brings at most 17.
   const SceneComparison original{"cornell-original", 4, 4 * 25, 0.2, 20};
   add_bounces(claims, original, "solid-angle", true);
-  // By cone at most a hemisphere: 2 x 90 x 0.8 = 144, of one of three.
-  const SceneComparison balls{"hallway", 3, 3 * 3 * 144, 0.3, 20};
+  // Lights of radius 4, of which the ceiling is 6 away: S = 2 pi (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so 1.6 x 90 x 0.8 / pi = 37 by cone,
+  // three times for one of three; their power is the same.
+  const SceneComparison balls{"hallway", 3, 3 * 3 * 37, 0.3, 50};
   add_which_light(claims, balls, "cone");
   add_bounces(claims, balls, "cone", false);
-  // A light of radius 0.15 and radiance up to 2 x 7 x 11 is at least 4.6 from what it lights: by cone 154 x 0.8 x 0.15^2 / 4.6^2 =
-  // 0.131, a thousand times.
-  const SceneComparison thousand{"many-lights", 1, 131, 0.1, 200};
-  add_which_light(claims, thousand, "cone");
+  // Lights of radius 0.15, at least 4.6 from what they light: S = 0.0034. The ceiling reflects f = 0.24, and in proportion to its power a
+  // light is chosen with Le over less than 900 x 2 x 7 x 11: S f 140000 = 114.
+  const SceneComparison many{"many-lights", 1, 114, 0.1, 500};
+  RenderSettings by_power = baseline("cone"), by_contribution = baseline("cone");
+  by_power.which_light = "power";
+  by_contribution.which_light = "contribution";
+  add_independent_mean(claims, strategies_agree("many-lights.which.contribution", {"PathTracer", "DirectLight"},
+                                                many, by_power, by_contribution));
 }
 
 }  // namespace fairlight
