@@ -21,6 +21,11 @@ struct Vertex {
 };
 
 /// How points of luminaires are sampled: those of spheres by one strategy, those of rectangles by another.
+/// Formula  that of the luminaire's own strategy
+/// Measure  solid angle [1/sr]
+/// Domain   that of the strategies
+/// Random   u in [0,1)^2
+/// Source   the strategies'
 template <template <class> class SphereSampling, template <class> class RectangleSampling = RectangleByArea>
 struct PointsBy {
   /// A direction towards luminaire i; `on_it` says that `from` lies on its surface.
@@ -146,7 +151,7 @@ class DirectLight {
     if (!sharing_.finds_all_light()) {
       factor *= sharing_.weight(std::array{chosen, Real(1)}, std::array{density, bsdf.pdf_world(towards)}, 0);
     }
-    return select(seen, Rgb<Real>(lights.radiance(light) * reflected * factor), zero<Rgb<Real>>());
+    return select(seen, Rgb<Real>(lights.emission(light) * reflected * factor), zero<Rgb<Real>>());
   }
 
   Luminaires luminaires_;

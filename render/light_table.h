@@ -38,7 +38,7 @@ class LightTable {
     const Vec3<Real> x = edges_x_(i), y = edges_y_(i);
     return {centres_(i) - (x + y) * Real(0.5), x, y};
   }
-  Rgb<Real> radiance(const Index<Real>& i) const { return radiances_(i).array(); }
+  Rgb<Real> emission(const Index<Real>& i) const { return radiances_(i).array(); }
   /// The index of its surface in the scene.
   Real surface(const Index<Real>& i) const { return surfaces_(i); }
   /// The luminaire that a surface is, or -1.

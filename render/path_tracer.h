@@ -69,7 +69,7 @@ class PathTracer {
     const Real weight =
         direct_.emission_weight(scene, path.ray, Real(select(alive, hit.surface, Real(0))), path.density);
     path.radiance +=
-        select(alive, Rgb<Real>(path.throughput * scene.materials().radiance(surface) * weight), zero<Rgb<Real>>());
+        select(alive, Rgb<Real>(path.throughput * scene.materials().emission(surface) * weight), zero<Rgb<Real>>());
     if (max_depth_ != no_limit) alive = alive && path.depth < Real(static_cast<Lane<Real>>(max_depth_));
     if (!any(alive)) return alive;
 

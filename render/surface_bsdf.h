@@ -27,7 +27,7 @@ class Materials {
   }
 
   Rgb<Real> albedo(const Index<Real>& surface) const { return albedos_(surface).array(); }
-  Rgb<Real> radiance(const Index<Real>& surface) const { return radiances_(surface).array(); }
+  Rgb<Real> emission(const Index<Real>& surface) const { return radiances_(surface).array(); }
   Real parameter(const Index<Real>& surface) const { return parameters_(surface); }
 
   /// Whether any surface is of a kind; and where this one is.

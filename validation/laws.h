@@ -101,7 +101,7 @@ Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetK
           .subjects = {e.subject, points.subject, "PointSource"},
           .statement = "over the points of a replicate, the draws have the mean coordinates of the stated density",
           .source = e.source,
-          .margin_factor = 2,
+          .margin_factor = 3,
           .check = [e](const Trial& trial) {
             const auto law = e.template law<double>();
             return check_replicates<Set<double>>(

@@ -18,7 +18,7 @@ std::vector<std::string> foreign_includes_in_stats(const std::filesystem::path& 
 
 /// Every component in estimators/ and render/, a class that samples, sums, plays or estimates, must open with Source, and with
 /// Formula, Measure, Domain and Random when it has a density; have a row in the registry, a test file of its
-/// header's name, and a section in docs/estimators.md.
+/// header's name, and a section in docs/estimators.md. What only looks up one of them while the program runs, Chosen..., is none.
 std::vector<std::string> components_without_papers(const std::filesystem::path& root,
                                                    const std::set<std::string>& registered);
 

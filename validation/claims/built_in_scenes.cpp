@@ -60,31 +60,30 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   add_bounces(claims, simple, "cone", false);
   // Two such lights; of equal powers at the distances 15 and 150 the fainter is chosen with 1/101 at least, and brings then
   // S f Le = 0.008 at most: less than the nearer one.
-  SceneComparison complex{"cornell-complex", 4, 4 * 2 * 12.8, 0.4, 20};
+  SceneComparison complex{"cornell-complex", 4, 4 * 2 * 12.8, 0.4, 30};
   add_which_light(claims, complex, "area");
   complex.tail_slack = 2 * simple.tail_slack;
   complex.margin_factor = 30;
   add_bounces(claims, complex, "cone", false);
   // Rough metal: f cos <= D / (2 alpha) <= 1 / (2 pi 0.25^3) = 10.2, of a light of radius 6 that is 44 away, S < 0.06, so 16; gloss
   // 4 x 0.05 x 25 = 5; the ceiling 0.43 x 25 x 0.8 / pi = 2.8; and the light itself, 25, seen in a mirror or through glass.
-  const SceneComparison materials{"cornell-materials", 5, 5 * 16 + 25, 0.3, 20};
+  const SceneComparison materials{"cornell-materials", 5, 5 * 16 + 25, 0.3, 40};
   add_bounces(claims, materials, "cone", true);
   // All of a hemisphere at most: 2 pi 17 x 0.725 / pi = 25; a bounce brings at most 17.
-  const SceneComparison original{"cornell-original", 4, 4 * 25, 0.2, 20};
+  const SceneComparison original{"cornell-original", 4, 4 * 25, 0.2, 40};
   add_bounces(claims, original, "solid-angle", true);
   // Lights of radius 4, of which the ceiling is 6 away: S = 2 pi (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so 1.6 x 90 x 0.8 / pi = 37 by cone,
   // three times for one of three; their power is the same.
-  const SceneComparison balls{"hallway", 3, 3 * 3 * 37, 0.3, 50};
+  const SceneComparison balls{"hallway", 3, 3 * 3 * 37, 0.3, 80};
   add_which_light(claims, balls, "cone");
   add_bounces(claims, balls, "cone", false);
-  // Lights of radius 0.15, at least 4.6 from what they light: S = 0.0034. The ceiling reflects f = 0.24, and in proportion to its power a
-  // light is chosen with Le over less than 900 x 2 x 7 x 11: S f 140000 = 114.
-  const SceneComparison many{"many-lights", 1, 114, 0.1, 500};
-  RenderSettings by_power = baseline("cone"), by_contribution = baseline("cone");
-  by_power.which_light = "power";
-  by_contribution.which_light = "contribution";
-  add_independent_mean(claims, strategies_agree("many-lights.which.contribution", {"PathTracer", "DirectLight"},
-                                                many, by_power, by_contribution));
+  // Lights of radius r = 0.15, at least 4.6 from what they light. One is chosen with w / sum w, w = Le / d^2, so that by area it brings
+  // at most 4 pi r^2 Le f / d^2 sum w / w = 0.07 sum w, which is less than 7 x 2 + 64 by the nearest and the others, spread evenly.
+  const SceneComparison many{"many-lights", 1, 6, 0.1, 80};
+  RenderSettings by_cone = baseline("cone"), by_area = baseline("area");
+  by_cone.which_light = by_area.which_light = "contribution";
+  add_independent_mean(claims, strategies_agree("many-lights.which.contribution", {"PathTracer", "DirectLight"}, many,
+                                                by_cone, by_area));
 }
 
 }  // namespace fairlight

@@ -83,7 +83,7 @@ void add_rectangles(std::vector<Claim>& claims) {
                                                                      beside.solid_angle()));
   const LawExperiment points{"rectangle.by_solid_angle", "RectangleBySolidAngle", "Urena, Fajardo, King 2013",
                              [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
-                             SquareDomain{0, 1}};
+                             SquareDomain{0, 1}, 8};
   claims.push_back(law_claim(points));
   claims.push_back(law_moments_claim(points));
 }
