@@ -77,12 +77,12 @@ class Geometry {
     return most <= Real(0);
   }
 
-  /// The outward unit normal at a point of a surface. A point off it by a rounding error e makes the gradient longer or shorter by
-  /// about e, which half a Newton step takes back to e^2.
+  /// The outward unit normal at a point of a surface. A ray that comes from far away, where floats are sparse, ends some way off
+  /// it, and the gradient there is not as long as 1.
   Vec3<Real> normal_at(const Index<Real>& surface, const Vec3<Real>& position) const {
     const Sphere<Real> shape{anchors_(surface), normals_(surface), curvatures_(surface)};
     const Vec3<Real> gradient = shape.normal_at(position);
-    return gradient * (Real(1.5) - Real(0.5) * gradient.squaredNorm());
+    return gradient / gradient.norm();
   }
 
  private:
