@@ -86,7 +86,7 @@ View hallway() {
   for (int i = 0; i < 7; ++i) {
     scene.add_sphere({-14.0 + 4.5 * i, 8, 40.0 - 40 * i}, 8, white, black);
   }
-  for (int i = 0; i < 3; ++i) scene.add_sphere({0, 54, 20.0 - 110 * i}, 4, black, Rgb<double>(90, 85, 75));
+  for (int i = 0; i < 3; ++i) scene.add_sphere({0, 54, 20.0 - 110 * i}, 4, black, Rgb<double>(30, 28, 25));
   return {"hallway", scene,
           Camera({.eye = {-4, 22, 110},
                   .look = {0.02, -0.1, -1},

@@ -22,6 +22,13 @@ TEST(CheckMean, CertifiesTheMeanAndOnlyTheMean) {
   EXPECT_EQ(check_mean(trial, {{1.8, 0, 4}}, constant).verdict, Verdict::biased);
 }
 
+// A weight that is hardly above its mean, by a margin of 5 %.
+TEST(CheckMean, TakesAMarginThatLeadsOutOfTheRange) {
+  const Reference nearly_all{.mean = 1, .lower = 0, .upper = 1.01};
+  EXPECT_EQ(check_mean(trial, {nearly_all}, [](auto&) { return 1.0; }).verdict, Verdict::certified);
+  EXPECT_EQ(check_mean(trial, {nearly_all}, [](auto&) { return 0.9; }).verdict, Verdict::biased);
+}
+
 TEST(CheckMean, IsBiasedWhenOneChannelIs) {
   const auto rgb = [](auto&) { return Rgb<double>(1, 2, 3); };
   EXPECT_EQ(check_mean(trial, {{1, 0, 5}, {2, 0, 5}, {3, 0, 5}}, rgb).verdict, Verdict::certified);

@@ -72,9 +72,9 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   // All of a hemisphere at most: 2 pi 17 x 0.725 / pi = 25; a bounce brings at most 17.
   const SceneComparison original{"cornell-original", 4, 4 * 25, 0.2, 40};
   add_bounces(claims, original, "solid-angle", true);
-  // Lights of radius 4, of which the ceiling is 6 away: S = 2 pi (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so 1.6 x 90 x 0.8 / pi = 37 by cone,
+  // Lights of radius 4, of which the ceiling is 6 away: S = 2 pi (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so 1.6 x 30 x 0.8 / pi = 12.3 by cone,
   // three times for one of three; their power is the same.
-  const SceneComparison balls{"hallway", 3, 3 * 3 * 37, 0.3, 80};
+  const SceneComparison balls{"hallway", 3, 3 * 3 * 12.3, 0.2, 40};
   add_which_light(claims, balls, "cone");
   add_bounces(claims, balls, "cone", false);
   // Lights of radius r = 0.15, at least 4.6 from what they light. One is chosen with w / sum w, w = Le / d^2, so that by area it brings
@@ -82,8 +82,8 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   const SceneComparison many{"many-lights", 1, 6, 0.1, 80};
   RenderSettings by_cone = baseline("cone"), by_area = baseline("area");
   by_cone.which_light = by_area.which_light = "contribution";
-  add_independent_mean(claims, strategies_agree("many-lights.which.contribution", {"PathTracer", "DirectLight"}, many,
-                                                by_cone, by_area));
+  add_independent_mean(claims, strategies_agree("many-lights.which.contribution", {"PathTracer", "DirectLight"},
+                                                many, by_cone, by_area));
 }
 
 }  // namespace fairlight
