@@ -29,8 +29,8 @@ auto by_power(const Scene& scene, int max_depth) {
 
 void add_furnaces(std::vector<Claim>& claims) {
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
-  add(furnace_radiance<Tracer<NoDirectLight, Roulette>>("furnace.bounce",
-                                                        {"PathTracer", "NoDirectLight", "RouletteByReflectance"}, 3));
+  add(furnace_radiance<Tracer<NoDirectLight, Roulette>>(
+      "furnace.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}, 3));
   add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
                                               {"PathTracer", "DirectLight", "RouletteByReflectance"}, 3));
   add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 24.5,
@@ -57,8 +57,9 @@ void add_one_light(std::vector<Claim>& claims) {
   const auto cosine_hit = [](const SpheresOverPlane& s, int c) { return s.albedo[c] * s.largest_radiance(c); };
   const auto uniform_hit = [=](const SpheresOverPlane& s, int c) { return 2 * cosine_hit(s, c); };
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
-  add(floor_radiance<Tracer<All, NoRoulette>>(
-      "sphere_over_plane.light", {"DirectLight", "PointsBy", "SphereByArea", "UniformSphereArea"}, one_light(), 3, terms));
+  add(floor_radiance<Tracer<All, NoRoulette>>("sphere_over_plane.light",
+                                              {"DirectLight", "PointsBy", "SphereByArea", "UniformSphereArea"},
+                                              one_light(), 3, terms));
   add(floor_radiance<Tracer<AllVisible, NoRoulette>>(
       "sphere_over_plane.visible", {"DirectLight", "SphereByVisibleHemisphere"}, one_light(), 1, half_terms));
   add(floor_radiance<Tracer<AllByCone, NoRoulette>>("sphere_over_plane.cone", {"DirectLight", "SphereByCone"},
