@@ -33,8 +33,34 @@ double log_mixture(const std::array<double, 3>& logs) {
   return top + std::log(sum);
 }
 
-double log_growth(double bet, double room, double gain) {
-  return std::log1p(std::min(bet, largest_stake / room) * gain);
+// What a process may gain or lose of itself in one block, at the stake that its room allows.
+double return_of(double bet, double room, double gain) { return std::min(bet, largest_stake / room) * gain; }
+
+// The logarithm of a product of positive factors, taken only where the product would leave the range of a double: as exact as the
+// sum of their logarithms, and a tenth of its cost.
+class LogProduct {
+ public:
+  void multiply(double factor) {
+    product_ *= factor;
+    if (product_ < 1e-100 || product_ > 1e100) {
+      log_ += std::log(product_);
+      product_ = 1;
+    }
+  }
+  double log() const { return log_ + std::log(product_); }
+
+ private:
+  double product_ = 1;
+  double log_ = 0;
+};
+
+// On right code log U1 and log D1 drift by K/2 with variance K after n = K variance/margin^2 draws, so each is short of
+// log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta): the K at which to give up. Half as much again pays
+// for bets placed before the variance is known.
+double drift_to_wait_for(double alpha, double beta) {
+  const double z = -boost::math::quantile(boost::math::normal(), alpha / 2);
+  const double root = z + std::sqrt(z * z + 2 * std::log(1 / beta));
+  return 1.5 * root * root;
 }
 
 std::string digits(double value) {
@@ -54,6 +80,7 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   const auto& h = hypothesis_;
   if (!(alpha > 0 && alpha < 1)) throw std::invalid_argument("the level alpha must be in (0,1)");
   if (!(beta > 0 && beta < 1)) throw std::invalid_argument("the miss rate beta must be in (0,1)");
+  drift_ = drift_to_wait_for(alpha * part_for_giving_up, beta);
   if (!(h.margin > 0) || !std::isfinite(h.margin)) {
     throw std::invalid_argument("the margin must be positive (no finite sample shows that a bias is exactly zero)");
   }
@@ -137,11 +164,11 @@ void BettingTest::add(std::span<const double> draws) {
   const double room_down = h.mean - h.lower;
   const double room_up = h.upper - h.mean + h.tail_slack;
   for (std::size_t i = 0; i < mixture_factors.size(); ++i) {
-    log_up_[i] += log_growth(mixture_factors[i] * block.bet, room_down + h.rounding, above - h.rounding);
-    log_down_[i] += log_growth(mixture_factors[i] * block.bet, room_up + h.rounding, below - h.rounding);
+    log_up_[i] += std::log1p(return_of(mixture_factors[i] * block.bet, room_down + h.rounding, above - h.rounding));
+    log_down_[i] += std::log1p(return_of(mixture_factors[i] * block.bet, room_up + h.rounding, below - h.rounding));
   }
-  log_not_darker_ += log_growth(block.bet, room_down - h.margin, above + h.margin);
-  log_not_brighter_ += log_growth(block.bet, room_up - h.margin, below + h.margin);
+  log_not_darker_ += std::log1p(return_of(block.bet, room_down - h.margin, above + h.margin));
+  log_not_brighter_ += std::log1p(return_of(block.bet, room_up - h.margin, below + h.margin));
   decide();
 }
 
@@ -161,16 +188,11 @@ void BettingTest::decide() {
   }
 }
 
-// On right code log U1 and log D1 drift by K/2 with variance K after n = K variance/margin^2 draws, so each is
-// short of log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta). Half as much again pays for bets
-// placed before the variance is known; the second term for bets that the range limits.
+// The second term is for bets that the range limits.
 double BettingTest::patience() const {
-  const double z = -boost::math::quantile(boost::math::normal(), alpha_ * part_for_giving_up / 2);
-  const double needed = std::log(1 / beta_);
-  const double root = z + std::sqrt(z * z + 2 * needed);
   const double margin = hypothesis_.margin;
   const double range = hypothesis_.upper - hypothesis_.lower;
-  return 1.5 * root * root * (spread() / (margin * margin) + range / margin);
+  return drift_ * (spread() / (margin * margin) + range / margin);
 }
 
 // Evidence that the mean is above (or below) a candidate: the log wealth of betting against it with the whole
@@ -179,12 +201,13 @@ double BettingTest::patience() const {
 double BettingTest::evidence(double candidate, bool above) const {
   const auto& h = hypothesis_;
   const double room = above ? h.mean - h.lower : h.upper - h.mean + h.tail_slack;
-  std::array<double, 3> logs{};
+  std::array<LogProduct, 3> wealth;
   for (const Block& block : blocks_) {
     const double gain = above ? block.mean - candidate : candidate - h.tail_slack - block.capped;
-    for (std::size_t i = 0; i < logs.size(); ++i) logs[i] += log_growth(mixture_factors[i] * block.bet, room, gain);
+    for (std::size_t i = 0; i < wealth.size(); ++i)
+      wealth[i].multiply(1 + return_of(mixture_factors[i] * block.bet, room, gain));
   }
-  return log_mixture(logs) - std::log(mixture_weights[0] / beta_);
+  return log_mixture({wealth[0].log(), wealth[1].log(), wealth[2].log()}) - std::log(mixture_weights[0] / beta_);
 }
 
 Interval BettingTest::interval() const {

@@ -95,6 +95,7 @@ class BettingTest {
   MeanHypothesis hypothesis_;
   double alpha_;
   double beta_;
+  double drift_;
   Verdict verdict_ = Verdict::undecided;
   Moments moments_;
   std::vector<Block> blocks_;

@@ -8,6 +8,7 @@
 
 #include <fairlight/stats/chi_square.h>
 #include <fairlight/stats/law_test.h>
+#include <fairlight/stats/quadrature.h>
 
 namespace fairlight {
 namespace {
@@ -71,6 +72,33 @@ Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std:
 }
 
 }  // namespace
+
+double checked_density(double value, double s, double t) {
+  if (value >= 0 && std::isfinite(value)) return value;
+  throw std::domain_error("the density is " + std::to_string(value) + " at (" + std::to_string(s) + ", " +
+                          std::to_string(t) + ") of its domain's square (it must be nonnegative and finite)");
+}
+
+LawCells cells_of_square(int rows, int columns, const std::function<double(double s, double t)>& density) {
+  LawCells cells{rows, columns, {}, 0};
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const Integral cell = integrate_rectangle(
+          [&](double s, double t) { return checked_density(density(s, t), s, t); }, double(row) / rows,
+          double(row + 1) / rows, double(column) / columns, double(column + 1) / columns);
+      cells.probabilities.push_back(cell.value);
+      cells.error += cell.error;
+    }
+  }
+  return cells;
+}
+
+LawCells cells_of_numbers(std::int64_t n, const std::function<double(std::int64_t i)>& probability) {
+  if (n < 2 || n > 1 << 20) throw std::invalid_argument("a discrete law must have 2 .. 2^20 outcomes");
+  LawCells cells{static_cast<int>(n), 1, {}, 0};
+  for (std::int64_t i = 0; i < n; ++i) cells.probabilities.push_back(checked_density(probability(i), double(i), 0));
+  return cells;
+}
 
 Finding detail::refuted_density(const Trial& trial, const std::string& why) { return refuted(trial, why); }
 

@@ -10,7 +10,6 @@
 #include <fairlight/stats/betting_test.h>
 #include <fairlight/stats/domains.h>
 #include <fairlight/stats/manifest.h>
-#include <fairlight/stats/quadrature.h>
 
 namespace fairlight {
 
@@ -37,38 +36,26 @@ inline void check_place(std::uint64_t i, const Eigen::Vector2d& place) {
 }
 
 /// A density's value, as it is. Throws std::domain_error where it is negative or not finite, saying where.
-inline double checked_density(double value, double s, double t) {
-  if (value >= 0 && std::isfinite(value)) return value;
-  throw std::domain_error("the density is " + std::to_string(value) + " at (" + std::to_string(s) + ", " +
-                          std::to_string(t) + ") of its domain's square (it must be nonnegative and finite)");
-}
+double checked_density(double value, double s, double t);
+
+/// The probabilities of rows x columns cells, by quadrature of `density(s, t)` over the square. Throws std::domain_error where
+/// that is negative or not finite, saying where.
+LawCells cells_of_square(int rows, int columns, const std::function<double(double s, double t)>& density);
 
 /// The cells' probabilities, by quadrature of `pdf(point)` over the domain: 16 x 8 cells, or 128 of an interval.
 template <class Domain, class Pdf>
 LawCells law_cells(const Domain& domain, const Pdf& pdf) {
   constexpr bool line = std::is_same_v<Domain, IntervalDomain>;
-  LawCells cells{line ? 128 : 16, line ? 1 : 8, {}, 0};
-  for (int row = 0; row < cells.rows; ++row) {
-    for (int column = 0; column < cells.columns; ++column) {
-      const Integral cell = integrate_rectangle(
-          [&](double s, double t) { return checked_density(pdf(domain.at(s, t)) * domain.size(), s, t); },
-          double(row) / cells.rows, double(row + 1) / cells.rows, double(column) / cells.columns,
-          double(column + 1) / cells.columns);
-      cells.probabilities.push_back(cell.value);
-      cells.error += cell.error;
-    }
-  }
-  return cells;
+  return cells_of_square(line ? 128 : 16, line ? 1 : 8,
+                         [&](double s, double t) { return pdf(domain.at(s, t)) * domain.size(); });
 }
 
-/// One cell a number, whose probability is read off; at most 2^20 of them.
+/// One cell a number, whose probability is read off; 2 to 2^20 of them, else std::invalid_argument.
+LawCells cells_of_numbers(std::int64_t n, const std::function<double(std::int64_t i)>& probability);
+
 template <class Pdf>
 LawCells law_cells(const DiscreteDomain& domain, const Pdf& pdf) {
-  if (domain.n < 2 || domain.n > 1 << 20)
-    throw std::invalid_argument("a discrete law must have 2 .. 2^20 outcomes");
-  LawCells cells{static_cast<int>(domain.n), 1, {}, 0};
-  for (std::int64_t i = 0; i < domain.n; ++i) cells.probabilities.push_back(checked_density(pdf(i), double(i), 0));
-  return cells;
+  return cells_of_numbers(domain.n, pdf);
 }
 
 /// Counts against cells, `count(draws)` giving the counts of that many draws.

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
-
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <functional>
 
 namespace fairlight {
 
@@ -14,22 +12,7 @@ struct Integral {
 
 /// The integral of f(x, y) over [x0, x1] x [y0, y1], adaptive, to relative tolerance 1e-9 where f allows it.
 /// Source: Gauss-Kronrod (7, 15), nested; Boost.Math.
-template <class Function>
-Integral integrate_rectangle(Function&& f, double x0, double x1, double y0, double y1) {
-  using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
-  constexpr unsigned depth = 12;
-  constexpr double tolerance = 1e-9;
-  double inner_error = 0;
-  auto strip = [&](double x) {
-    double error = 0;
-    const double value = Rule::integrate([&](double y) { return f(x, y); }, y0, y1, depth, tolerance, &error);
-    inner_error = std::max(inner_error, error);
-    return value;
-  };
-  Integral result{};
-  result.value = Rule::integrate(strip, x0, x1, depth, tolerance, &result.error);
-  result.error += inner_error * (x1 - x0);
-  return result;
-}
+Integral integrate_rectangle(const std::function<double(double x, double y)>& f, double x0, double x1, double y0,
+                             double y1);
 
 }  // namespace fairlight

@@ -3,6 +3,7 @@
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/sphere_light.h>
 #include <fairlight/stats/domains.h>
+#include <fairlight/stats/quadrature.h>
 #include <fairlight/validation/experiment.h>
 
 namespace fairlight {
@@ -101,7 +102,7 @@ Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetK
           .subjects = {e.subject, points.subject, "PointSource"},
           .statement = "over the points of a replicate, the draws have the mean coordinates of the stated density",
           .source = e.source,
-          .margin_factor = 3,
+          .margin_factor = 2,
           .check = [e](const Trial& trial) {
             const auto law = e.template law<double>();
             return check_replicates<Set<double>>(

@@ -88,7 +88,7 @@ auto two_spheres(const std::string& name, std::vector<std::string> subjects, dou
                     "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
                     "rho), per channel",
                     "geometric series of the transport operator",
-                    10,
+                    3,
                     references,
                     RadianceAlong(furnace.scene, furnace.ray, make)};
 }

@@ -13,9 +13,10 @@ RenderSettings baseline(const std::string& light_sampling) {
   return settings;
 }
 
-// One luminaire of several, chosen in each way.
-void add_which_light(std::vector<Claim>& claims, const SceneComparison& scene, const std::string& sampling) {
-  for (const std::string which : {"one", "power", "contribution"}) {
+// One luminaire of several, chosen in each of these ways.
+void add_which_light(std::vector<Claim>& claims, const SceneComparison& scene, const std::string& sampling,
+                     const std::vector<std::string>& ways) {
+  for (const std::string& which : ways) {
     RenderSettings settings = baseline(sampling);
     settings.which_light = which;
     settings.roulette = which == "power" ? "throughput" : "albedo";
@@ -61,7 +62,7 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   // Two such lights; of equal powers at the distances 15 and 150 the fainter is chosen with 1/101 at least, and brings then
   // S f Le = 0.008 at most: less than the nearer one.
   SceneComparison complex{"cornell-complex", 4, 4 * 2 * 12.8, 0.4, 30};
-  add_which_light(claims, complex, "area");
+  add_which_light(claims, complex, "area", {"one", "power", "contribution"});
   complex.tail_slack = 2 * simple.tail_slack;
   complex.margin_factor = 30;
   add_bounces(claims, complex, "cone", false);
@@ -73,9 +74,9 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   const SceneComparison original{"cornell-original", 4, 4 * 25, 0.2, 40};
   add_bounces(claims, original, "solid-angle", true);
   // Lights of radius 4, of which the ceiling is 6 away: S = 2 pi (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so 1.6 x 30 x 0.8 / pi = 12.3 by cone,
-  // three times for one of three; their power is the same.
+  // three times for one of three; their power is the same, so a choice by power is one of three too.
   const SceneComparison balls{"hallway", 3, 3 * 3 * 12.3, 0.2, 40};
-  add_which_light(claims, balls, "cone");
+  add_which_light(claims, balls, "cone", {"one", "contribution"});
   add_bounces(claims, balls, "cone", false);
   // Lights of radius r = 0.15, at least 4.6 from what they light. One is chosen with w / sum w, w = Le / d^2, so that by area it brings
   // at most 4 pi r^2 Le f / d^2 sum w / w = 0.07 sum w, which is less than 7 x 2 + 64 by the nearest and the others, spread evenly.

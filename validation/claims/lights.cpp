@@ -81,10 +81,9 @@ void add_rectangles(std::vector<Claim>& claims) {
   add_mean(claims, rectangle_irradiance_claim<RectangleBySolidAngle>("rectangle.by_solid_angle.perpendicular",
                                                                      "RectangleBySolidAngle", beside, aside,
                                                                      beside.solid_angle()));
-  const LawExperiment points{
-      "rectangle.by_solid_angle",  "RectangleBySolidAngle",
-      "Urena, Fajardo, King 2013", [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
-      SquareDomain{0, 1},          8};
+  const LawExperiment points{"rectangle.by_solid_angle", "RectangleBySolidAngle", "Urena, Fajardo, King 2013",
+                             [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
+                             SquareDomain{0, 1}};
   claims.push_back(law_claim(points));
   claims.push_back(law_moments_claim(points));
 }

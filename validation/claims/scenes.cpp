@@ -29,10 +29,10 @@ auto by_power(const Scene& scene, int max_depth) {
 
 void add_furnaces(std::vector<Claim>& claims) {
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
-  add(furnace_radiance<Tracer<NoDirectLight, Roulette>>(
-      "furnace.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}, 3));
+  add(furnace_radiance<Tracer<NoDirectLight, Roulette>>("furnace.bounce",
+                                                        {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
   add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
-                                              {"PathTracer", "DirectLight", "RouletteByReflectance"}, 3));
+                                              {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
   add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 24.5,
                   always(Tracer<All, Roulette>())));
   add(two_spheres("furnace.two_spheres.one", {"PathTracer", "DirectLight", "OneOf", "RouletteByReflectance"}, 24.5,
@@ -59,15 +59,15 @@ void add_one_light(std::vector<Claim>& claims) {
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
   add(floor_radiance<Tracer<All, NoRoulette>>("sphere_over_plane.light",
                                               {"DirectLight", "PointsBy", "SphereByArea", "UniformSphereArea"},
-                                              one_light(), 3, terms));
+                                              one_light(), 2, terms));
   add(floor_radiance<Tracer<AllVisible, NoRoulette>>(
       "sphere_over_plane.visible", {"DirectLight", "SphereByVisibleHemisphere"}, one_light(), 1, half_terms));
   add(floor_radiance<Tracer<AllByCone, NoRoulette>>("sphere_over_plane.cone", {"DirectLight", "SphereByCone"},
                                                     large_light(), 1, cone_terms));
   add(floor_radiance<Tracer<NoDirectLight, NoRoulette>>(
-      "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, large_light(), 3, cosine_hit));
+      "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, large_light(), 2, cosine_hit));
   add(floor_radiance<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
-      "sphere_over_plane.uniform", {"NoDirectLight", "UniformHemisphere"}, large_light(), 3, uniform_hit));
+      "sphere_over_plane.uniform", {"NoDirectLight", "UniformHemisphere"}, large_light(), 2, uniform_hit));
 }
 
 // Which of two lights, each by cone: what is drawn is then nearly the choice alone.
@@ -103,14 +103,14 @@ void add_two_lights(std::vector<Claim>& claims) {
     return largest;
   };
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
-  add(floor_radiance<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllOf"}, two_lights(), 2,
+  add(floor_radiance<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllOf"}, two_lights(), 1,
                                                     all_terms));
-  add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "OneOf"}, two_lights(), 2,
+  add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "OneOf"}, two_lights(), 1,
                                                     one_term));
-  add(floor_radiance("two_lights.power", {"DirectLight", "OneBy", "PowerChoice"}, two_lights(), 2, power_term,
+  add(floor_radiance("two_lights.power", {"DirectLight", "OneBy", "PowerChoice"}, two_lights(), 1, power_term,
                      by_power<NoRoulette>(two_lights().scene, 1)));
   add(floor_radiance<Tracer<ContributionByCone, NoRoulette>>(
-      "two_lights.contribution", {"DirectLight", "OneByContribution", "ContributionChoice"}, two_lights(), 2,
+      "two_lights.contribution", {"DirectLight", "OneByContribution", "ContributionChoice"}, two_lights(), 1,
       contribution_term));
 }
 

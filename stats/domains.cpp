@@ -1,0 +1,98 @@
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include <fairlight/stats/domains.h>
+
+namespace fairlight {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// The fraction of a turn from -x at which the point lies, in [0,1], and the point of the unit circle there.
+double turn(double x, double y) { return std::atan2(y, x) / (2 * pi) + 0.5; }
+Eigen::Vector2d on_circle(double turn) {
+  const double phi = 2 * pi * (turn - 0.5);
+  return {std::cos(phi), std::sin(phi)};
+}
+Eigen::Vector3d at_height(double z, double turn) {
+  const Eigen::Vector2d ring = std::sqrt((1 - z) * (1 + z)) * on_circle(turn);
+  return {ring.x(), ring.y(), z};
+}
+
+double half_sector(const PolygonDomain& polygon) { return pi / polygon.corners; }
+double apothem(const PolygonDomain& polygon) { return polygon.radius * std::cos(half_sector(polygon)); }
+
+// Between the given axes and those with the first corner on -x, where a turn starts.
+Eigen::Matrix2d from_first_corner(const PolygonDomain& polygon, double sign) {
+  return Eigen::Rotation2Dd(sign * (polygon.rotation - pi)).toRotationMatrix();
+}
+
+}  // namespace
+
+double DiskDomain::size() const { return pi * radius * radius; }
+Eigen::Vector2d DiskDomain::at(double s, double t) const { return radius * std::sqrt(s) * on_circle(t); }
+Eigen::Vector2d DiskDomain::coordinates(const Eigen::Vector2d& x) const {
+  return {x.squaredNorm() / (radius * radius), turn(x.x(), x.y())};
+}
+
+double PolygonDomain::size() const { return corners * radius * radius * std::sin(2 * half_sector(*this)) / 2; }
+Eigen::Vector2d PolygonDomain::at(double s, double t) const {
+  const double half = half_sector(*this);
+  const double side = std::floor(t * corners);
+  const double angle = std::atan((2 * (t * corners - side) - 1) * std::tan(half));
+  return std::sqrt(s) * apothem(*this) / std::cos(angle) *
+         (from_first_corner(*this, 1) * on_circle((side + 0.5 + angle / (2 * half)) / corners));
+}
+Eigen::Vector2d PolygonDomain::coordinates(const Eigen::Vector2d& x) const {
+  const double half = half_sector(*this);
+  const Eigen::Vector2d turned = from_first_corner(*this, -1) * x;
+  const double turns = turn(turned.x(), turned.y()) * corners;
+  const double side = std::floor(turns);
+  const double angle = (2 * (turns - side) - 1) * half;
+  const double out = x.norm() * std::cos(angle) / apothem(*this);
+  return {out * out, (side + 0.5 + std::tan(angle) / std::tan(half) / 2) / corners};
+}
+
+double HemisphereDomain::size() const { return 2 * pi; }
+Eigen::Vector3d HemisphereDomain::at(double s, double t) const { return at_height(s, t); }
+Eigen::Vector2d HemisphereDomain::coordinates(const Eigen::Vector3d& w) const {
+  return {w.z(), turn(w.x(), w.y())};
+}
+
+CapDomain::CapDomain(double height, const Eigen::Vector3d& axis)
+    : height_(height), turned_(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(0, 0, 1), axis)) {}
+double CapDomain::size() const { return 2 * pi * height_; }
+Eigen::Vector3d CapDomain::at(double s, double t) const { return turned_ * at_height(1 - height_ * s, t); }
+Eigen::Vector2d CapDomain::coordinates(const Eigen::Vector3d& w) const {
+  const Eigen::Vector3d local = turned_.transpose() * w;
+  const double ring = local.head<2>().squaredNorm();
+  const double drop = local.z() > 0 ? ring / (1 + local.z()) : 1 - local.z();  // never negative by rounding
+  return {drop / height_, turn(local.x(), local.y())};
+}
+
+LuneDomain::LuneDomain(const Eigen::Vector3d& first, const Eigen::Vector3d& second)
+    : first_(first),
+      axis_(first.cross(second).normalized()),
+      across_(axis_.cross(first)),
+      width_(pi - std::acos(first.dot(second))) {}
+double LuneDomain::size() const { return 2 * width_; }
+Eigen::Vector3d LuneDomain::at(double s, double t) const {
+  const double height = 2 * s - 1;
+  const double angle = pi / 2 - width_ * t;
+  const double radius = std::sqrt((1 - height) * (1 + height));
+  return height * axis_ + radius * (std::cos(angle) * first_ + std::sin(angle) * across_);
+}
+Eigen::Vector2d LuneDomain::coordinates(const Eigen::Vector3d& w) const {
+  const double angle = std::atan2(w.dot(across_), w.dot(first_));
+  return {(w.dot(axis_) + 1) / 2, (pi / 2 - angle) / width_};
+}
+
+double SphereDomain::size() const { return 4 * pi * radius * radius; }
+Eigen::Vector3d SphereDomain::at(double s, double t) const { return at_height(2 * s - 1, t); }
+Eigen::Vector2d SphereDomain::coordinates(const Eigen::Vector3d& n) const {
+  return {(n.z() + 1) / 2, turn(n.x(), n.y())};
+}
+
+}  // namespace fairlight
