@@ -141,7 +141,7 @@ std::string write_intervals(const std::string& folder, const std::vector<Outcome
     canvas.line(x, top, x, bottom, colour);
   }
   for (double margin : {-1.0, 1.0}) canvas.dashes(90, 1180, Axes::pixel(axes.y(margin)), {0, 0, 0});
-  const std::string path = folder + "/intervals.png";
+  std::string path = folder + "/intervals.png";
   canvas.write(path);
   return path;
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include <fairlight/stats/law_test.h>
 #include <fairlight/validation/axes.h>
@@ -90,6 +90,36 @@ Colour shade(const CellResidue& residue) {
   return {fade(end[0]), fade(end[1]), fade(end[2])};
 }
 
+struct Process {
+  std::string name;
+  double Wealth::*wealth;
+  Colour colour;
+};
+
+// Those that a claim is about: one-sided claims have two of the four.
+std::vector<Process> processes_of(Sides sides) {
+  std::vector<Process> processes;
+  if (sides != Sides::not_below) processes.push_back({"too bright", &Wealth::too_bright, red});
+  if (sides != Sides::not_above) processes.push_back({"too dark", &Wealth::too_dark, blue});
+  if (sides != Sides::not_below) processes.push_back({"not brighter", &Wealth::not_brighter, orange});
+  if (sides != Sides::not_above) processes.push_back({"not darker", &Wealth::not_darker, green});
+  return processes;
+}
+
+double power(double logarithm) { return logarithm / std::log(10); }
+
+void draw_process(Canvas& canvas, const Axes& axes, const Evidence::Course& course, const Process& process) {
+  double from = 0;
+  double height = 0;
+  for (const auto& step : course.steps()) {
+    const auto to = static_cast<double>(step.draws);
+    const double risen = power(step.wealth.*process.wealth);
+    canvas.line(axes.x(from), axes.y(height), axes.x(to), axes.y(risen), process.colour);
+    from = to;
+    height = risen;
+  }
+}
+
 }  // namespace
 
 CellResidue cell_residue(const Evidence::Cells& cells, std::size_t cell) {
@@ -143,43 +173,20 @@ Canvas p_map_chart(const std::string& title, const Evidence::Cells& cells) {
 }
 
 Canvas wealth_chart(const std::string& title, const Evidence::Course& course) {
-  struct Process {
-    const char* name;
-    double Wealth::*wealth;
-    Colour colour;
-    bool asked;
-  };
-  const bool above = course.sides() != Sides::not_below;
-  const bool below = course.sides() != Sides::not_above;
-  const std::array<Process, 4> processes{{{"too bright", &Wealth::too_bright, red, above},
-                                          {"too dark", &Wealth::too_dark, blue, below},
-                                          {"not brighter", &Wealth::not_brighter, orange, above},
-                                          {"not darker", &Wealth::not_darker, green, below}}};
-  const double ten = std::log(10);
   Canvas canvas(1100, 640);
   canvas.text(20, 14, title);
-  const auto& steps = course.steps();
-  const double last = steps.empty() ? 1 : static_cast<double>(steps.back().draws);
+  const double last = course.steps().empty() ? 1 : static_cast<double>(course.steps().back().draws);
   const Axes::Place place{120, 110, 1080, 570};
-  const Axes axes(canvas, place, {0, last}, {-course.refuting() / ten, 1.15 * course.refuting() / ten});
+  const Axes axes(canvas, place, {0, last}, {power(-course.refuting()), 1.15 * power(course.refuting())});
   axes.draw("draws", "wealth, as a power of ten");
   int x = 20;
-  for (const Process& process : processes) {
-    if (!process.asked) continue;
+  for (const Process& process : processes_of(course.sides())) {
     canvas.text(x, 42, process.name, process.colour);
-    x += Canvas::letter_width * static_cast<int>(std::string(process.name).size() + 3);
-    double from = 0;
-    double height = 0;
-    for (const auto& step : steps) {
-      const auto to = static_cast<double>(step.draws);
-      const double risen = step.wealth.*process.wealth / ten;
-      canvas.line(axes.x(from), axes.y(height), axes.x(to), axes.y(risen), process.colour);
-      from = to;
-      height = risen;
-    }
+    x += Canvas::letter_width * static_cast<int>(process.name.size() + 3);
+    draw_process(canvas, axes, course, process);
   }
   const auto level = [&](double wealth, const std::string& says) {
-    const int y = Axes::pixel(axes.y(wealth / ten));
+    const int y = Axes::pixel(axes.y(power(wealth)));
     canvas.dashes(place.left, place.right, y, black);
     canvas.text(place.left + 10, y - 18, says);
   };
