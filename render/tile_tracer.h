@@ -9,6 +9,12 @@
 #include <fairlight/estimators/stream.h>
 #include <fairlight/render/tile_renderer.h>
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FAIRLIGHT_FLATTEN  // a sanitizer's checks, all in one function, take a compiler a quarter of an hour
+#else
+#define FAIRLIGHT_FLATTEN [[gnu::flatten]]
+#endif
+
 namespace fairlight {
 
 /// The numbers of vertices of paths, one path a lane: of its pixel, its sample and its vertex, whatever lane it is in.
@@ -112,7 +118,7 @@ class TileTracer : public TileRenderer {
 
    private:
     /// A vertex of all paths. Flattened: hundreds of small functions about packets, of which a compiler leaves some uninlined.
-    [[gnu::flatten]] Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
+    FAIRLIGHT_FLATTEN Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
                                         const Mask<Real>& alive) {
       auto source = numbers_of(std::type_identity<Real>{}, by_.key_, pixel_, sample_, vertex_);
       for (auto& vertex : vertex_) ++vertex;
@@ -120,7 +126,7 @@ class TileTracer : public TileRenderer {
     }
 
     /// Gives jobs to idle lanes, and returns those that are still idle.
-    [[gnu::flatten]] std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
+    FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
       Numbers fresh{};
       for (std::uint32_t rest = idle; rest != 0 && next_ < jobs_; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <fairlight/render/render_image.h>
@@ -12,6 +13,7 @@ namespace fairlight {
 struct Conformance {
   Manifest::Terms terms;
   int threads = 1;
+  std::string instructions = "";  ///< whose packets: see registry(); the widest that run here if empty
 };
 
 /// What came of one claim.

@@ -29,6 +29,7 @@ std::string replay(const std::string& claim, const Conformance& conformance) {
   const Conformance usual{{.seed = 0}};
   if (conformance.terms.margin != usual.terms.margin) command += text(" --margin %.17g", conformance.terms.margin);
   if (conformance.terms.budget != usual.terms.budget) command += text(" --budget %.17g", conformance.terms.budget);
+  if (!conformance.instructions.empty()) command += " --instructions " + conformance.instructions;
   return command;
 }
 

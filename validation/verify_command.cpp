@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -60,10 +61,12 @@ void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conf
 }
 
 int verify(const VerifyOptions& options) {
-  const std::vector<const Claim*> claims = select_claims(options.claims);
+  const std::vector<const Claim*> claims = select_claims(options.claims, options.conformance.instructions);
   if (options.list) return list(claims);
   if (!options.json.empty()) WholeFile::check_writable(options.json);
   Conformance conformance = options.conformance;
+  conformance.instructions =
+      choose_instructions(conformance.instructions).name;  // of which the last digits may depend
   conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Outcome> outcomes = run_claims(claims, conformance, progress_bar("verify"));
@@ -88,6 +91,9 @@ void add_verify_command(CLI::App& program, Command& command) {
   app->add_option("--budget", options->conformance.terms.budget, "The probability of a false alarm in a whole run")
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Replays a run: the 16 hexadecimal digits that it printed");
+  app->add_option("--instructions", options->conformance.instructions,
+                  "Whose packets: sse2, avx2 or avx512; the widest that this machine has if not given")
+      ->type_name("SET");
   app->add_option("--json", options->json, "The outcomes, as JSON")->type_name("F.json");
   app->add_option("--threads", options->conformance.threads, "Threads")
       ->check(CLI::Range(1, 1024))
