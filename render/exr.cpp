@@ -10,11 +10,13 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 
 #include <fairlight/render/picture.h>
+#include <fairlight/render/raster.h>
 #include <fairlight/render/whole_file.h>
 #include <fairlight/version.h>
 
@@ -205,6 +207,29 @@ void write_exr(const std::string& path, const Picture& picture) {
     Imf::MultiPartOutputFile file(stream, parts.data(), static_cast<int>(parts.size()));
     write_light(file, picture.film);
     write_sums(file, picture.film);
+  }
+  whole.commit();
+}
+
+void write_exr(const std::string& path, int width, int height, const std::vector<Plane>& planes) {
+  Imf::Header header(width, height);
+  Imf::FrameBuffer buffer;
+  const std::size_t row = sizeof(float) * static_cast<std::size_t>(width);
+  for (const Plane& plane : planes) {
+    if (plane.values.size() * sizeof(float) != row * static_cast<std::size_t>(height)) {
+      throw std::invalid_argument("the plane \"" + plane.name + "\" must have one value a pixel");
+    }
+    header.channels().insert(plane.name, Imf::Channel(Imf::FLOAT));
+    auto* first =
+        const_cast<float*>(plane.values.data());  // a slice is read from here, though its type could be written to
+    buffer.insert(plane.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), sizeof(float), row));
+  }
+  WholeFile whole(path);
+  {
+    ExrStream stream(whole, path);
+    Imf::OutputFile file(stream, header);
+    file.setFrameBuffer(buffer);
+    file.writePixels(height);
   }
   whole.commit();
 }

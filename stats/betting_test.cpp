@@ -172,11 +172,21 @@ void BettingTest::add(std::span<const double> draws) {
   decide();
 }
 
+double BettingTest::refuting() const {
+  return std::log((hypothesis_.sides == Sides::both ? 2 : 1) / (alpha_ * (1 - part_for_giving_up)));
+}
+
+double BettingTest::certifying() const { return std::log(1 / beta_); }
+
+Wealth BettingTest::wealth() const {
+  return {log_mixture(log_up_), log_mixture(log_down_), log_not_brighter_, log_not_darker_};
+}
+
 void BettingTest::decide() {
   const bool above = hypothesis_.sides != Sides::not_below;  // too bright is a fault
   const bool below = hypothesis_.sides != Sides::not_above;  // too dark is a fault
-  const double reject = std::log((above && below ? 2 : 1) / (alpha_ * (1 - part_for_giving_up)));
-  const double accept = std::log(1 / beta_);
+  const double reject = refuting();
+  const double accept = certifying();
   const auto refutes =
       [reject](const std::array<double, 3>& logs) {  // a mixture is no larger than its largest part
         return *std::max_element(logs.begin(), logs.end()) >= reject && log_mixture(logs) >= reject;
@@ -193,6 +203,13 @@ double BettingTest::patience() const {
   const double margin = hypothesis_.margin;
   const double range = hypothesis_.upper - hypothesis_.lower;
   return drift_ * (spread() / (margin * margin) + range / margin);
+}
+
+// Where variance limits the bets, as simulated for many laws (see `fairlight audit calibration`); and where the range does.
+double BettingTest::expected_draws() const {
+  const double margin = hypothesis_.margin;
+  const double range = hypothesis_.upper - hypothesis_.lower;
+  return certifying() * (3.7 * moments_.variance() / (margin * margin) + 1.1 * range / margin);
 }
 
 // Evidence that the mean is above (or below) a candidate: the log wealth of betting against it with the whole

@@ -39,6 +39,14 @@ class BadDraw : public std::runtime_error {
   std::uint64_t draw_;
 };
 
+/// The logarithms of what four processes have made of 1.
+struct Wealth {
+  double too_bright;    ///< U0, which bets that the mean is above the reference
+  double too_dark;      ///< D0, that it is below
+  double not_brighter;  ///< D1, that it is below the reference and its margin
+  double not_darker;    ///< U1, that it is above the reference less its margin
+};
+
 /// Sequential test of a mean by betting, with an accept side.
 ///
 /// Four wealth processes start at 1, and every bet uses earlier draws only:
@@ -71,7 +79,16 @@ class BettingTest {
   /// up.
   double patience() const;
 
+  /// The number of draws after which right code has its verdict, more or less, if the draws' variance is what it has been.
+  double expected_draws() const;
+
   const Moments& moments() const { return moments_; }
+
+  /// Where the processes stand, and the levels that decide: U0 or D0 at the first, D1 and U1 at the second.
+  Wealth wealth() const;
+  double refuting() const;
+  double certifying() const;
+  Sides sides() const { return hypothesis_.sides; }
 
   /// Where the mean lies, in X's unit: each end is wrong with probability at most 1.25 beta, at any stopping time.
   /// (The processes that certify bet as the first of the mixture's three, whose weight is 0.8, so what they show,

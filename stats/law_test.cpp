@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <boost/math/distributions/binomial.hpp>
@@ -7,6 +8,7 @@
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 
 #include <fairlight/stats/chi_square.h>
+#include <fairlight/stats/evidence.h>
 #include <fairlight/stats/law_test.h>
 #include <fairlight/stats/quadrature.h>
 
@@ -21,6 +23,7 @@ Finding refuted(const Trial& trial, const std::string& why) {
 
 Finding undecided(const Trial& trial, const std::string& why) {
   Finding finding{Verdict::undecided, Guarantee::asymptotic, trial.margin};
+  finding.interval.hi = std::numeric_limits<double>::infinity();
   finding.note = why;
   return with_token(trial, finding);
 }
@@ -42,11 +45,8 @@ int wrong_cell(const std::vector<std::uint64_t>& counts, const LawCells& cells, 
   const double level = alpha / (2 * static_cast<double>(counts.size()));
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (cells.probabilities[i] == 0) continue;  // chi_square refuses a hit there
-    const boost::math::binomial law(static_cast<double>(draws), cells.probabilities[i]);
-    const auto k = static_cast<double>(counts[i]);
-    const bool too_few = cdf(law, k) < level;
-    const bool too_many = k > 0 && cdf(complement(law, k - 1)) < level;
-    if (too_few || too_many) return static_cast<int>(i);
+    const CellTails tails = cell_tails(counts[i], static_cast<double>(draws), cells.probabilities[i]);
+    if (tails.too_few < level || tails.too_many < level) return static_cast<int>(i);
   }
   return -1;
 }
@@ -72,6 +72,13 @@ Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std:
 }
 
 }  // namespace
+
+CellTails cell_tails(std::uint64_t count, double draws, double probability) {
+  if (probability == 0) return {1, count == 0 ? 1.0 : 0.0};
+  const boost::math::binomial law(draws, probability);
+  const auto k = static_cast<double>(count);
+  return {cdf(law, k), k > 0 ? cdf(complement(law, k - 1)) : 1};
+}
 
 double checked_density(double value, double s, double t) {
   if (value >= 0 && std::isfinite(value)) return value;
@@ -118,6 +125,12 @@ Finding test_counts(const Trial& trial, const LawCells& cells,
     counts = count(draws);
   } catch (const BadDraw& bad) {
     return refuted(trial, bad.what());
+  } catch (const detail::ToldToEnd&) {
+    return undecided(trial, told_to_end);
+  }
+  if (trial.evidence != nullptr) {
+    trial.evidence->laws.push_back(
+        {cells.rows, cells.columns, cells.probabilities, counts, static_cast<double>(draws)});
   }
   try {
     if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws) {

@@ -66,9 +66,19 @@ LawCells law_cells(const DiscreteDomain& domain, const Pdf& pdf) {
 Finding test_counts(const Trial& trial, const LawCells& cells,
                     const std::function<std::vector<std::uint64_t>(std::uint64_t draws)>& count);
 
+/// The tails of a cell's binomial law: the probabilities of so few draws in it, and of so many. Both are 1 for a cell that
+/// cannot be hit and is not.
+struct CellTails {
+  double too_few, too_many;
+};
+CellTails cell_tails(std::uint64_t count, double draws, double probability);
+
 namespace detail {
+/// Ends a count that was told to end.
+struct ToldToEnd {};
+
 Finding refuted_density(const Trial& trial, const std::string& why);
-}
+}  // namespace detail
 
 /// Draws follow their density, which is nowhere negative, is positive where they fall and integrates to one over the domain.
 /// `draw(i)` gives draw i, `pdf(point)` its density against the domain's measure.
@@ -83,6 +93,9 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
   return test_counts(trial, cells, [&](std::uint64_t draws) {
     std::vector<std::uint64_t> counts(cells.probabilities.size());
     for (std::uint64_t i = 0; i < draws; ++i) {
+      if (i % 1024 == 1023 && !goes_on(trial, static_cast<double>(i) / static_cast<double>(draws))) {
+        throw detail::ToldToEnd();
+      }
       const auto x = draw(i);
       const double density = pdf(x);
       if (!(density > 0 && std::isfinite(density))) throw BadDraw(i, density, "the density where it fell");

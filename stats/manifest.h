@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,14 +11,25 @@
 
 namespace fairlight {
 
-/// What a test of one claim is given: its own random numbers, its share of the false alarms, and what it must show.
+struct Evidence;
+
+/// What a test of one claim is given: its own random numbers, its share of the false alarms, and what it must show. The last two
+/// are for those who look on; no verdict depends on them, except that a test which is told to end is undecided.
 struct Trial {
-  std::string claim;   ///< the purpose of its random numbers, so that no two claims share any
-  std::uint64_t seed;  ///< replays it, with the same claim name; see seed_text
-  double alpha;        ///< level: the probability of a false alarm on right code
-  double beta;         ///< miss rate: the probability that a bias of the margin is certified
-  double margin;       ///< the bias to exclude, relative to the reference
+  std::string claim;                         ///< the purpose of its random numbers, so that no two claims share any
+  std::uint64_t seed;                        ///< replays it, with the same claim name; see seed_text
+  double alpha;                              ///< level: the probability of a false alarm on right code
+  double beta;                               ///< miss rate: the probability that a bias of the margin is certified
+  double margin;                             ///< the bias to exclude, relative to the reference
+  std::function<bool(double done)> watch{};  ///< told now and then how much is done, in [0,1); false ends the test
+  Evidence* evidence = nullptr;              ///< where the test leaves what it saw; or nowhere
 };
+
+/// Tells those who look on how much is done; whether to go on.
+inline bool goes_on(const Trial& trial, double done) { return !trial.watch || trial.watch(done); }
+
+/// The note of a test that was told to end.
+inline constexpr const char* told_to_end = "told to end before its verdict";
 
 /// Throws std::invalid_argument unless level, miss rate and margin are all in (0,1). Every test asks this first.
 void check_trial(const Trial& trial);

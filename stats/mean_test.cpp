@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <fairlight/stats/evidence.h>
 #include <fairlight/stats/mean_test.h>
 
 namespace fairlight {
@@ -10,23 +11,46 @@ namespace {
 
 bool open(const BettingTest& test) { return test.verdict() == Verdict::undecided; }
 
-// Runs the tests to their verdicts, or until the last of them has lost patience.
-void run(std::vector<BettingTest>& tests, const DrawBlock& draw_block) {
-  std::vector<std::vector<double>> channels(tests.size());
-  for (std::uint64_t drawn = 0;;) {
-    std::uint64_t block = 0;
-    double patience = 0;
+// What the open tests are about: the next block, and when they will have their verdicts or lose patience.
+struct Plan {
+  std::uint64_t block = 0;  // none where nothing is open, or one says `biased`
+  double patience = 0;
+  double expected = 0;
+
+  explicit Plan(const std::vector<BettingTest>& tests) {
     for (const BettingTest& test : tests) {
-      if (test.verdict() == Verdict::biased) return;
       if (!open(test)) continue;
       block = block == 0 ? test.block_size() : std::min(block, test.block_size());
       patience = std::max(patience, test.patience());
+      expected = std::max(expected, test.moments().count() > 1 ? test.expected_draws() : test.patience());
     }
-    if (block == 0 || static_cast<double>(drawn) > patience) return;
-    for (auto& channel : channels) channel.resize(block);
+    if (std::ranges::any_of(tests, [](const BettingTest& t) { return t.verdict() == Verdict::biased; })) block = 0;
+  }
+};
+
+// The courses of the tests, which are the last of the evidence.
+void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
+  const std::size_t first = evidence.means.size() - tests.size();
+  for (std::size_t c = 0; c < tests.size(); ++c) evidence.means[first + c].add(tests[c]);
+}
+
+// Runs the tests to their verdicts, or until the last of them has lost patience; returns a note if neither came.
+std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawBlock& draw_block) {
+  std::vector<std::vector<double>> channels(tests.size());
+  if (trial.evidence != nullptr) {
+    for (const BettingTest& test : tests) trial.evidence->means.emplace_back(test);
+  }
+  for (std::uint64_t drawn = 0;;) {
+    const Plan plan(tests);
+    const auto n = static_cast<double>(drawn);
+    if (plan.block == 0) return {};
+    if (n > plan.patience) return "the cap on draws came first";
+    if (drawn > 0 && !goes_on(trial, n / std::max(plan.expected, 1.01 * n))) return told_to_end;
+    for (auto& channel : channels) channel.resize(plan.block);
     draw_block(drawn, channels);
     for (std::size_t c = 0; c < tests.size(); ++c) tests[c].add(channels[c]);
-    drawn += block;
+    if (trial.evidence != nullptr) leave_evidence(*trial.evidence, tests);
+    drawn += plan.block;
   }
 }
 
@@ -82,7 +106,6 @@ Finding worst_of(const std::vector<BettingTest>& tests, const std::vector<Refere
     worst.verdict = verdict;
     worst.draws = draws;
   }
-  if (worst.verdict == Verdict::undecided) worst.note = "the cap on draws came first";
   return worst;
 }
 
@@ -95,7 +118,10 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
   const double alpha = trial.alpha / static_cast<double>(references.size());
   for (const Reference& r : references) tests.emplace_back(hypothesis_of(r, trial.margin), alpha, trial.beta);
   try {
-    run(tests, draw_block);
+    const std::string note = run(trial, tests, draw_block);
+    Finding finding = worst_of(tests, references, trial.margin);
+    if (!note.empty()) finding.note = note;
+    return with_token(trial, finding);
   } catch (const BadDraw& bad) {
     Finding finding{Verdict::biased, Guarantee::exact, trial.margin};
     finding.bias = rough_bias(references, draw_block);
@@ -103,7 +129,6 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
     finding.note = bad.what();
     return with_token(trial, finding);
   }
-  return with_token(trial, worst_of(tests, references, trial.margin));
 }
 
 }  // namespace fairlight

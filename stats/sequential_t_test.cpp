@@ -81,13 +81,14 @@ class GroupSequential {
   }
 
   Finding run() {
-    draw_to(pilot_draws);
+    draw_to(pilot_draws, pilot_draws);
     const std::uint64_t total = plan();
     arms_ = Arms(arms_.moments.size());
     double spent_alpha = 0;
     double spent_beta = 0;
     for (double fraction : looks) {
-      draw_to(static_cast<std::uint64_t>(std::ceil(fraction * static_cast<double>(total))));
+      if (!draw_to(static_cast<std::uint64_t>(std::ceil(fraction * static_cast<double>(total))), total))
+        return ended();
       const double alpha = trial_.alpha * (1 - part_for_giving_up) * std::pow(fraction, 3);
       const double beta = trial_.beta * fraction;
       Finding finding = look(alpha - spent_alpha, beta - spent_beta);
@@ -101,15 +102,27 @@ class GroupSequential {
  private:
   double margin() const { return trial_.margin * scale_; }
 
-  void draw_to(std::uint64_t count) {
+  Finding ended() const {
+    Finding finding{Verdict::undecided, Guarantee::asymptotic, trial_.margin};
+    finding.interval = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    finding.draws = drawn_;
+    finding.note = told_to_end;
+    return finding;
+  }
+
+  // Whether it got there, or was told to end.
+  bool draw_to(std::uint64_t count, std::uint64_t total) {
     std::vector<std::vector<double>> channels(arms_.moments.size());
     while (arms_.moments[0].count() < count) {
-      const std::uint64_t block = std::min(count - arms_.moments[0].count(), largest_block);
+      const std::uint64_t so_far = arms_.moments[0].count();
+      if (so_far > 0 && !goes_on(trial_, static_cast<double>(so_far) / static_cast<double>(total))) return false;
+      const std::uint64_t block = std::min(count - so_far, largest_block);
       for (auto& channel : channels) channel.resize(block);
       draw_block_(drawn_, channels);
       drawn_ += block;
       for (std::size_t a = 0; a < channels.size(); ++a) add(a, channels[a]);
     }
+    return true;
   }
 
   void add(std::size_t arm, const std::vector<double>& draws) {

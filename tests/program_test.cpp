@@ -83,6 +83,15 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("verify pick --margin 2", "margin");
   expect_bad_input("verify pick --budget 1", "budget");
   expect_bad_input("verify pick --json missing/a.json", "missing/a.json");
+  expect_bad_input("verify pick --seed 12345678901234567", "12345678901234567");
+  expect_bad_input("verify pick --seconds 0", "seconds");
+  expect_bad_input("verify pick --seconds -1", "seconds");
+  expect_bad_input("verify pick --seconds soon", "seconds");
+  expect_bad_input("verify pick --artifacts missing/folder", "missing/folder");
+  expect_bad_input("verify pick --artifacts /dev/null", "/dev/null");
+  expect_bad_input("verify pick --report missing/a.md", "missing/a.md");
+  expect_bad_input("verify pick --report a.md --json ./a.md", "same file");
+  expect_bad_input("verify pick --report .", "cannot write");
   expect_bad_input("audit faults --seeds 0", "seeds");
 }
 
@@ -177,6 +186,35 @@ TEST(Program, VerifiesAndReplays) {
     again["seconds"] = claim["seconds"];
     EXPECT_EQ(again, claim);
   }
+}
+
+TEST(Program, LeavesUndecidedWhatItHasNoTimeFor) {
+  const TemporaryFolder folder;
+  const Result run = fairlight("verify pick importance --margin 3e-5 --seconds 0.5 --json a.json", folder);
+  EXPECT_EQ(run.status, 3) << run.out;
+  EXPECT_EQ(run.error, "") << "no progress bar in a pipe";
+  EXPECT_NE(run.out.find("time was up"), std::string::npos) << run.out;
+  const auto json = nlohmann::json::parse(read_file(folder / "a.json"));
+  EXPECT_EQ(json["verdict"], "undecided");
+  EXPECT_LT(json["seconds"], 60);
+}
+
+TEST(Program, KeepsWhatItSawAndWritesAPageWithItsPictures) {
+  const TemporaryFolder folder;
+  const std::string arguments = "verify hemisphere.cosine.law pick.one.dice --margin 0.05 --report page.md";
+  ASSERT_EQ(fairlight(arguments, folder).status, 0);
+  for (const char* file : {"hemisphere.cosine.law/cells.csv", "hemisphere.cosine.law/cells.exr",
+                           "hemisphere.cosine.law/p_map.png", "hemisphere.cosine.law/histogram.png",
+                           "pick.one.dice/wealth.csv", "pick.one.dice/finding.json", "intervals.png"}) {
+    EXPECT_FALSE(read_file(folder / (std::string("page_artifacts/") + file)).empty()) << file;
+  }
+  const std::string page = read_file(folder / "page.md");
+  EXPECT_NE(page.find("(page_artifacts/hemisphere.cosine.law/p_map.png)"), std::string::npos) << page;
+  EXPECT_EQ(folder.files(), 2);
+  ASSERT_EQ(fairlight("verify pick.one --margin 0.05 --artifacts kept", folder).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "kept/intervals.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "kept/pick.one.dice"))
+      << "it did not fail, and was not named in full";
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include <fairlight/validation/conformance.h>
+#include <fairlight/validation/forecast.h>
 #include <fairlight/validation/registry.h>
 
 namespace fairlight {
@@ -44,6 +47,79 @@ TEST(RunClaims, FindTheSameAloneOrTogetherOnAnyThreads) {
     EXPECT_EQ(alone.draws, outcomes[i].finding.draws) << together[i]->name;
     EXPECT_EQ(alone.bias, outcomes[i].finding.bias) << together[i]->name;
   }
+}
+
+TEST(RunClaims, FindTheSameWhateverTheTimeThatIsLeft) {
+  const auto claims = select_claims({"pick.*.dice", "importance.cosine"});
+  Conformance limited = quick;
+  limited.seconds = 1000;
+  limited.evidence = true;
+  const auto outcomes = run_claims(claims, limited);
+  const auto usual = run_claims(claims, quick);
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    EXPECT_EQ(usual[i].claim, claims[i]);
+    EXPECT_EQ(usual[i].finding.draws, outcomes[i].finding.draws) << claims[i]->name;
+    EXPECT_EQ(usual[i].finding.interval.hi, outcomes[i].finding.interval.hi) << claims[i]->name;
+    EXPECT_FALSE(outcomes[i].out_of_time);
+    EXPECT_FALSE(outcomes[i].evidence.means.empty());
+    EXPECT_TRUE(usual[i].evidence.means.empty()) << "what nobody asked for";
+  }
+}
+
+TEST(RunClaims, LeaveUndecidedWhatHasNoVerdictWhenTheTimeIsUp) {
+  Conformance hurried = quick;
+  hurried.terms.margin = 3e-5;  // hours
+  hurried.seconds = 0.2;
+  const auto outcomes = run_claims(select_claims({"pick.one.dice", "importance.cosine"}), hurried);
+  for (const Outcome& outcome : outcomes) {
+    EXPECT_EQ(outcome.finding.verdict, Verdict::undecided) << outcome.claim->name;
+    EXPECT_TRUE(outcome.out_of_time);
+    EXPECT_NE(outcome.finding.note.find("time was up"), std::string::npos);
+    EXPECT_LE(outcome.finding.interval.lo, 0);
+    EXPECT_GE(outcome.finding.interval.hi, 3e-5);
+  }
+}
+
+TEST(RunClaims, LeaveUndecidedWhatHasNoTurn) {
+  Conformance hurried = quick;
+  hurried.seconds = 1e-9;
+  const Outcome outcome = run_claims(select_claims({"pick.one.dice"}), hurried).front();
+  EXPECT_EQ(outcome.finding.verdict, Verdict::undecided);
+  EXPECT_TRUE(outcome.out_of_time);
+  EXPECT_EQ(outcome.finding.draws, 0u);
+  EXPECT_EQ(outcome.finding.interval.hi, std::numeric_limits<double>::infinity());
+}
+
+TEST(RunClaims, RefuseATimeThatIsNone) {
+  for (double seconds : {0.0, -1.0, std::nan("")}) {
+    Conformance wrong = quick;
+    wrong.seconds = seconds;
+    EXPECT_THROW(run_claims({}, wrong), std::invalid_argument) << seconds;
+  }
+}
+
+TEST(RunClaims, ProgressFromNothingToTheEnd) {
+  std::vector<double> told;
+  run_claims(select_claims({"pick.*.dice", "importance.cosine"}), quick,
+             [&](double done) { told.push_back(done); });
+  ASSERT_FALSE(told.empty());
+  for (std::size_t i = 0; i + 1 < told.size(); ++i) {
+    EXPECT_GT(told[i], 0);
+    EXPECT_LT(told[i], 1);
+  }
+  EXPECT_EQ(told.back(), 1);
+}
+
+TEST(Forecast, IsThePartOfAllSecondsThatIsSpent) {
+  Forecast forecast(4);
+  EXPECT_EQ(forecast.done(), 0);
+  forecast.set(0, 1, 0);
+  forecast.set(1, 1, 8);
+  EXPECT_DOUBLE_EQ(forecast.done(), 0.1) << "two of four parts take ten seconds, so all take twenty; two are spent";
+  forecast.set(2, 0, 5);
+  forecast.set(3, 0, 5);
+  EXPECT_DOUBLE_EQ(forecast.done(), 0.1);
+  EXPECT_EQ(forecast.left(1), 8);
 }
 
 TEST(Overall, IsTheWorst) {

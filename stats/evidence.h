@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <fairlight/stats/betting_test.h>
+
+namespace fairlight {
+
+/// What a test saw, for people to look at. No verdict asks it.
+struct Evidence {
+  /// A law's cells: row by row, how many draws fell in each and with which probability they should.
+  struct Cells {
+    int rows = 0;
+    int columns = 0;
+    std::vector<double> probabilities;
+    std::vector<std::uint64_t> counts;
+    double draws = 0;
+  };
+
+  /// The course of a betting test.
+  class Course {
+   public:
+    struct Step {
+      std::uint64_t draws;
+      double mean;  ///< of the draws so far, in their own unit
+      Wealth wealth;
+    };
+
+    explicit Course(const BettingTest& test);
+
+    /// Where the test stands now. However long it is, a few hundred steps are kept.
+    void add(const BettingTest& test);
+
+    Sides sides() const { return sides_; }
+    double refuting() const { return refuting_; }      ///< the log wealth that says `biased`
+    double certifying() const { return certifying_; }  ///< the log wealth that says `certified`
+    const std::vector<Step>& steps() const { return steps_; }
+
+   private:
+    Sides sides_;
+    double refuting_, certifying_;
+    std::vector<Step> steps_;
+    std::uint64_t stride_ = 1;
+    std::uint64_t seen_ = 0;
+  };
+
+  std::vector<Cells> laws;
+  std::vector<Course> means;  ///< one a channel
+};
+
+}  // namespace fairlight
