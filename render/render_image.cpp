@@ -20,6 +20,23 @@ std::vector<Tile> tiles(int width, int height) {
   return all;
 }
 
+bool absorbs_nothing(const Surface& surface) {
+  return surface.material.kind == Material::Kind::glass || surface.material.albedo.maxCoeff() == 1;
+}
+
+// A ray that starts inside glass may be reflected round and round, all of it; so may one where nothing is darker than white.
+void check_camera(const View& view, const Strategies& strategies) {
+  if (strategies.max_depth >= 0) return;
+  const std::vector<Surface>& surfaces = view.scene.surfaces();
+  const bool all_white = std::ranges::all_of(surfaces, absorbs_nothing);
+  for (const Surface& surface : surfaces) {
+    const bool keeps_light = surface.material.kind == Material::Kind::glass || all_white;
+    if (keeps_light && !surface.rectangle && surface.shape.level(view.camera.settings().eye) < 0)
+      throw std::invalid_argument(
+          "the camera is inside a sphere that absorbs nothing, and a path need not end (give --max-depth)");
+  }
+}
+
 }  // namespace
 
 View view_of(const RenderSettings& settings) {
@@ -35,6 +52,8 @@ View view_of(const RenderSettings& settings) {
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions) {
   const Strategies strategies(settings, view.scene);
+  check_camera(view, strategies);
+  if (settings.real == "packet") require_floats(view.scene);
   const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render"),
                            film.width(), film.height()};
   const auto renderer = tile_renderer(settings.real, choose_instructions(instructions), tiled);

@@ -24,8 +24,8 @@ using Progress = std::function<void(double)>;
 /// Adds samples `range` of every pixel to the film. A sample is a function of (seed, pixel, sample number), so the
 /// film depends neither on the threads nor on how a range was split. Packets are worked on by the named instructions, or
 /// the widest that the machine has: see choose_instructions.
-/// Throws std::invalid_argument for a strategy that does not exist or a path that might not end, std::domain_error
-/// for a sample that is not a radiance.
+/// Throws std::invalid_argument for a strategy that does not exist or a path that might not end, for a scene that
+/// packets do not hold, std::domain_error for a sample that is not a radiance.
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions = "");
 

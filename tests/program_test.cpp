@@ -6,6 +6,8 @@
 #include <support/temporary_folder.h>
 #include <sys/wait.h>
 
+#include <fairlight/render/instruction_sets.h>
+
 // The program as a person meets it: exit status, one sentence on standard error, nothing half-written.
 namespace fairlight {
 namespace {
@@ -68,6 +70,7 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("render cornell-simple --spp 1 --width 0 -o a.exr", "width");
   expect_bad_input("render cornell-simple --spp 1 --height -5 -o a.exr", "height");
   expect_bad_input(small + "--spp 1 --threads 0 -o a.exr", "threads");
+  expect_bad_input(small + "--spp 1 --instructions mmx -o a.exr", "mmx");
   expect_bad_input(small + "--spp 1 --max-depth -1 -o a.exr", "max-depth");
   expect_bad_input(small + "--spp 1 --roulette off -o a.exr", "--max-depth");
   expect_bad_input(small + "--spp 1 --shard 3/2 -o a.exr", "3/2");
@@ -115,6 +118,18 @@ TEST(Program, RendersTheSameBytesForAnyThreads) {
   EXPECT_GT(one.size(), 1000u);
   EXPECT_EQ(one, read_file(folder / "2.exr"));
   EXPECT_EQ(one, read_file(folder / "7.exr"));
+}
+
+// By every instruction set of this machine, with more threads than cores and than tiles.
+TEST(Program, RendersOnePixel) {
+  const TemporaryFolder folder;
+  for (const InstructionSet& set : instruction_sets()) {
+    if (!set.runs_here) continue;
+    const Result run = fairlight(
+        "render cornell-simple --width 1 --height 1 --spp 2 --threads 500 -o a.exr --instructions " + set.name,
+        folder);
+    EXPECT_EQ(run.status, 0) << run.error;
+  }
 }
 
 TEST(Program, ResumesAndMergesToTheBytesOfOneRender) {
