@@ -87,11 +87,13 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("verify pick --budget 1", "budget");
   expect_bad_input("verify pick --json missing/a.json", "missing/a.json");
   expect_bad_input("verify pick --seed 12345678901234567", "12345678901234567");
+  expect_bad_input("verify importance --margin 1e-6", "cannot be tested on these terms");
   expect_bad_input("verify pick --seconds 0", "seconds");
   expect_bad_input("verify pick --seconds -1", "seconds");
   expect_bad_input("verify pick --seconds soon", "seconds");
   expect_bad_input("verify pick --artifacts missing/folder", "missing/folder");
   expect_bad_input("verify pick --artifacts /dev/null", "/dev/null");
+  expect_bad_input("verify pick --artifacts /proc/folder", "/proc/folder");
   expect_bad_input("verify pick --report missing/a.md", "missing/a.md");
   expect_bad_input("verify pick --report a.md --json ./a.md", "same file");
   expect_bad_input("verify pick --report .", "cannot write");

@@ -77,11 +77,18 @@ class Run {
     Trial trial = manifest_.trial(claims_[i]->name);
     trial.watch = [&](double done) { return goes_on(i, turn, clock.seconds(), done, most); };
     if (conformance_.evidence) trial.evidence = &outcome.evidence;
-    outcome.finding = claims_[i]->check(trial);
+    outcome.finding = check(*claims_[i], trial);
     outcome.seconds = clock.seconds();
     ended_[i] = turn.ended && outcome.finding.verdict == Verdict::undecided;
     foresee(i, turn.before + outcome.seconds, ended_[i] ? outcome.seconds + turn.left : 0);
     outcomes_[i] = std::move(outcome);
+  }
+
+  // What a test refuses, it says of its numbers, not of the claim that gave them.
+  static Finding check(const Claim& claim, const Trial& trial) try {
+    return claim.check(trial);
+  } catch (const std::invalid_argument& refused) {
+    throw std::invalid_argument("\"" + claim.name + "\" cannot be tested on these terms (" + refused.what() + ")");
   }
 
   struct Turn {

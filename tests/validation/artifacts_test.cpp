@@ -77,6 +77,9 @@ TEST(Markdown, ShowsAFailureWithItsPictureByARelativeLink) {
     EXPECT_NE(page.find(text), std::string::npos) << text << "\n" << page;
   }
   EXPECT_EQ(page.find("## importance.cosine"), std::string::npos);
+  const std::string plain = markdown({outcomes, seen, 2, "again", "", {}}, folder / "report.md");
+  EXPECT_NE(plain.find("## pick.one.dice: biased"), std::string::npos) << "a failure is shown without pictures too";
+  EXPECT_EQ(plain.find("]("), std::string::npos) << plain;
 }
 
 }  // namespace

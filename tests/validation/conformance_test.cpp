@@ -1,6 +1,9 @@
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -95,6 +98,54 @@ TEST(RunClaims, RefuseATimeThatIsNone) {
     Conformance wrong = quick;
     wrong.seconds = seconds;
     EXPECT_THROW(run_claims({}, wrong), std::invalid_argument) << seconds;
+  }
+}
+
+// A claim that takes some time in its first turn, where it is at `first` and then at `second` of the whole; its second turn is short.
+Claim slow_claim(const Claim& row, double first, double second, Interval interval,
+                 std::vector<std::string>& order) {
+  Claim claim = row;
+  claim.check = [=, &order, turns = std::make_shared<int>(0)](const Trial& trial) {
+    Finding finding{Verdict::certified};
+    if (++*turns > 1) {
+      order.push_back(trial.claim);
+      return finding;
+    }
+    EXPECT_TRUE(goes_on(trial, first));
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_FALSE(goes_on(trial, second)) << "the first turn is short";
+    finding.verdict = Verdict::undecided;
+    finding.interval = interval;
+    return finding;
+  };
+  return claim;
+}
+
+TEST(RunClaims, TakeTheLongestFirstAndInHasteWhatLooksWrongThenTheShortest) {
+  const std::vector<Claim>& rows = registry();
+  for (const double seconds : {std::numeric_limits<double>::infinity(), 1000.0}) {
+    std::vector<std::string> order;
+    const Claim middle = slow_claim(rows[0], 0.01, 0.02, {-1, 1}, order);
+    const Claim shortest = slow_claim(rows[1], 0.5, 0.9, {-1, 1}, order);
+    const Claim longest = slow_claim(rows[2], 1e-5, 2e-5, {0.1, 0.2}, order);
+    Conformance conformance = quick;
+    conformance.seconds = seconds;
+    run_claims({&middle, &shortest, &longest}, conformance);
+    const std::vector<std::string> usual{rows[2].name, rows[0].name, rows[1].name};
+    const std::vector<std::string> hasty{rows[2].name, rows[1].name, rows[0].name};
+    EXPECT_EQ(order, seconds == 1000 ? hasty : usual);
+  }
+}
+
+TEST(RunClaims, SayWhichClaimRefusesItsTerms) {
+  Claim claim = registry()[0];
+  claim.check = [](const Trial&) -> Finding { throw std::invalid_argument("why so"); };
+  try {
+    run_claims({&claim}, quick);
+    FAIL() << "it must throw";
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_NE(std::string(refused.what()).find(claim.name), std::string::npos);
+    EXPECT_NE(std::string(refused.what()).find("(why so)"), std::string::npos);
   }
 }
 

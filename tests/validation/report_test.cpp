@@ -69,6 +69,24 @@ TEST(Table, HasARowForEveryFirstNameOfMany) {
   EXPECT_LT(lines(printed({outcome(Verdict::certified), outcome(Verdict::certified)}, Rows::grouped)), 4);
 }
 
+TEST(Table, SaysOfAGroupItsWidestMarginAndIntervalAndItsSums) {
+  auto outcomes = a_whole_run();
+  const std::string name = outcomes[0].claim->name.substr(0, outcomes[0].claim->name.find('.'));
+  std::size_t members = 0;
+  for (const Outcome& o : outcomes) members += o.claim->name.starts_with(name + ".") ? 1 : 0;
+  ASSERT_GT(members, 1u);
+  outcomes[1].finding.margin = 0.03;
+  outcomes[1].finding.interval.hi = 0.02;
+  const std::string text = printed(outcomes, Rows::grouped);
+  const std::size_t at = text.find(name + " (" + std::to_string(members) + ")");
+  ASSERT_NE(at, std::string::npos) << text;
+  const std::string line = text.substr(at, text.find('\n', at) - at);
+  for (const std::string& part :
+       {std::string("3.0e-02"), std::string("-5.00e-04  +2.00e-02"), std::to_string(1000 * members)}) {
+    EXPECT_NE(line.find(part), std::string::npos) << part << " in " << line;
+  }
+}
+
 TEST(Table, GroupsWhatHadNoTime) {
   auto outcomes = a_whole_run();
   for (Outcome& o : outcomes) {
