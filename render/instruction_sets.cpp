@@ -21,7 +21,9 @@ TileRenderer* make_renderer(const TileSettings& settings) {
 }  // namespace
 
 const std::vector<InstructionSet>& instruction_sets() {
-#if defined(__x86_64__)
+#if defined(__AVX__)  // all of the program is built for one machine, as by the preset native
+  static const std::vector<InstructionSet> sets{{"native", true, lanes<Packet>, make_renderer<Packet>}};
+#elif defined(__x86_64__)
   static const std::vector<InstructionSet> sets{
       {"sse2", true, 4, make_renderer<Packet>},
       {"avx2", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), 8, fairlight_packet_renderer_avx2},

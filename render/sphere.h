@@ -63,7 +63,7 @@ struct Sphere {
  private:
   /// Along a ray, twice the level is twice_level + 2 slope t + k t^2. The square of the slope less k times twice the level is
   /// the same at every t: the depth, 1 less the square of the line's distance from the centre in radii. Of a sphere that is
-  /// farther than some of its radii the two cancel, and floats would see one of 1 cm from 100 m as wide as 30 cm; what the
+  /// farther than some of its radii the two cancel, and floats would see one of 1 cm from 100 m as wide as 3 cm; what the
   /// gradient has across the line does not.
   /// Source   Haines, Guenther, Akenine-Moller 2019, "Precision improvements for ray/sphere intersection"
   struct Line {
