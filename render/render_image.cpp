@@ -49,12 +49,23 @@ View view_of(const RenderSettings& settings) {
   return view;
 }
 
+void check_whole_sets(const RenderSettings& settings, std::uint64_t samples) {
+  const std::uint64_t rest = samples % SetsOfPoints(settings.points).size();
+  if (rest == 0) return;
+  const std::string fewer = samples == rest ? "" : std::to_string(samples - rest) + " or ";
+  throw std::invalid_argument(std::to_string(samples) + " samples are no whole sets of " +
+                              std::to_string(settings.points) + " points (give --spp " + fewer +
+                              std::to_string(samples - rest + settings.points) + ", or --points)");
+}
+
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions) {
   const Strategies strategies(settings, view.scene);
   check_camera(view, strategies);
   if (settings.real == "packet") require_floats(view.scene);
-  const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render"),
+  check_whole_sets(settings, range.first);
+  check_whole_sets(settings, range.last);
+  const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render " + settings.random),
                            film.width(), film.height()};
   const auto renderer = tile_renderer(settings.real, choose_instructions(instructions), tiled);
   const std::vector<Tile> units = tiles(film.width(), film.height());

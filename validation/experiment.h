@@ -58,6 +58,7 @@ Claim mean_claim(const Experiment<Draw>& e) {
 template <template <class> class Set>
 struct PointSetKind {
   std::string suffix, subject;
+  std::string source = "PointSource";
 };
 inline const PointSetKind<OwenSobol> sobol_points{"sobol", "OwenSobol"};
 inline const PointSetKind<Stratified> stratified_points{"stratified", "Stratified"};
@@ -68,7 +69,7 @@ inline const PointSetKind<LatinHypercube> latin_points{"latin", "LatinHypercube"
 template <template <class> class Set, class Draw>
 Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& points, double margin_factor = 2) {
   std::vector<std::string> subjects = e.subjects;
-  subjects.insert(subjects.end(), {points.subject, "PointSource"});
+  subjects.insert(subjects.end(), {points.subject, points.source});
   return {.name = e.name + "." + points.suffix,
           .kind = "mean",
           .subjects = subjects,

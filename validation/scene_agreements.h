@@ -2,6 +2,7 @@
 
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
+#include <fairlight/validation/padded_sets.h>
 #include <fairlight/validation/radiance.h>
 
 namespace fairlight {
@@ -118,6 +119,60 @@ Claim floats_against_double(const std::string& name, const View& view, double la
                 return check_mean<Packet>(trial, {{0, -largest, largest, 0, mean}}, difference);
               },
           .real = "packet"};
+}
+
+/// The mean of a whole picture by the numbers of sets, which must be that by independent ones: paths from the points of a set, as places
+/// on the image, followed from vertex to vertex by the set's numbers and by independent ones. Whole sets are the draws.
+template <class Real, class Numbers>
+Claim sets_agree(const std::string& name, std::vector<std::string> subjects, const SceneComparison& comparison,
+                 RenderSettings settings, std::uint32_t n = 4) {
+  settings.scene = comparison.scene;
+  settings.max_depth = comparison.max_depth;
+  subjects.insert(subjects.end(), {"VertexSource", "IndependentNumbers", "PathTracer"});
+  return {.name = name + real_suffix<Real>(),
+          .kind = "mean",
+          .subjects = std::move(subjects),
+          .statement = "the mean of the picture of " + comparison.scene + " is the same by sets of " +
+                       std::to_string(n) + " points as by independent numbers",
+          .source = "the same integral",
+          .margin_factor = comparison.margin_factor,
+          .check =
+              [=](const Trial& trial) {
+                const View view = view_of(settings);
+                const TracedScene<Real> scene(view.scene);
+                const auto tracer = chosen_tracer<Real>(Strategies(settings, view.scene), view.scene);
+                const IndependentNumbers independent(StreamKey(trial.seed, trial.claim + " independent"));
+                const auto follow = [&](Path<Real> path, const auto& numbers) {
+                  Mask<Real> alive(true);
+                  for (std::uint32_t vertex = 1; any(alive); ++vertex) {
+                    auto source = numbers.at(vertex);
+                    alive = tracer.advance(scene, path, source, alive);
+                  }
+                  return path.radiance;
+                };
+                const Reference reference{0, -comparison.largest, comparison.largest, comparison.tail_slack,
+                                          comparison.mean};
+                return check_sets<Real, Numbers>(trial, {reference}, n, [&](const auto& numbers) {
+                  auto camera = numbers.at(0);
+                  const Vec2<Real> place = next_pair<Real>(camera);
+                  const Path<Real> path{view.camera.template ray<Real>(place.x(), place.y(), 1, 1, camera)};
+                  const PathNumbers<Real, IndependentNumbers> others{independent, numbers.pixel, numbers.sample};
+                  const Rgb<Real> difference = follow(path, numbers) - follow(path, others);
+                  return Real((difference[0] + difference[1] + difference[2]) / Real(3));
+                });
+              },
+          .real = real_name<Real>()};
+}
+
+/// In the box of the paper, by cone: a shadow ray brings at most 12.8, as by area, four times a path.
+template <class Real, class Numbers>
+Claim cornell_by_sets(const std::string& kind, const std::string& subject) {
+  const SceneComparison box{"cornell-simple", 4, 4 * 12.8, 0.4, 20};
+  RenderSettings settings;
+  settings.light_sampling = "cone";
+  settings.which_light = "all";
+  settings.roulette = "off";
+  return sets_agree<Real, Numbers>("cornell-simple.random." + kind, {subject}, box, settings);
 }
 
 }  // namespace fairlight

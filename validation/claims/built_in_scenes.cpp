@@ -83,6 +83,10 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   }
   // By cone S f Le, with S = pi (1.5 / 15)^2, four times: 12.8 as well.
   add_floats(claims, {"cornell-simple", 4, 12.8, 0.4, 1});
+  claims.push_back(cornell_by_sets<double, PaddedSobol>("sobol", "PaddedSobol"));
+  claims.push_back(cornell_by_sets<Packet, PaddedSobol>("sobol", "PaddedSobol"));
+  claims.push_back(cornell_by_sets<double, PaddedStrata>("stratified", "PaddedStrata"));
+  claims.push_back(cornell_by_sets<Packet, PaddedStrata>("stratified", "PaddedStrata"));
   // Of a bounce's directions a light fills less than pi (1.5 / 15)^2 / pi = 0.01, and its rim, 1e-5 of a radius wide, 2e-7: four
   // times a path, Le = 400 and the albedo 0.8 for each.
   simple.tail_slack = 4 * 2e-7 * 320;
