@@ -22,9 +22,12 @@ std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const C
   for_each_unit(static_cast<int>(claims.size()), conformance.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
     const auto start = std::chrono::steady_clock::now();
-    const Finding finding = claims[i]->check(manifest.trial(claims[i]->name));
+    Trial trial = manifest.trial(claims[i]->name);
+    Evidence evidence;
+    if (conformance.evidence) trial.evidence = &evidence;
+    const Finding finding = claims[i]->check(trial);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    outcomes[i] = {claims[i], finding, seconds};
+    outcomes[i] = {claims[i], finding, seconds, std::move(evidence)};
     const std::lock_guard lock(mutex);
     if (progress) progress(static_cast<double>(++done) / static_cast<double>(claims.size()));
   });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <fairlight/render/render_image.h>
+#include <fairlight/stats/evidence.h>
 #include <fairlight/validation/claim.h>
 
 namespace fairlight {
@@ -12,6 +13,7 @@ namespace fairlight {
 struct Conformance {
   Manifest::Terms terms;
   int threads = 1;
+  bool evidence = false;  ///< whether outcomes keep what the tests saw
 };
 
 /// What came of one claim.
@@ -19,6 +21,7 @@ struct Outcome {
   const Claim* claim;
   Finding finding;
   double seconds;
+  Evidence evidence{};
 };
 
 /// The whole registry on the terms of a run: a claim's share of the budget is the same whatever else runs.

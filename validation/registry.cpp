@@ -10,11 +10,7 @@ namespace {
 
 std::vector<Claim> build() {
   std::vector<Claim> claims;
-  for (const auto add : {add_random_claims, add_direction_claims, add_microfacet_claims, add_material_claims,
-                         add_light_claims, add_combinator_claims, add_camera_claims, add_allocation_claims,
-                         add_second_order_claims, add_scene_claims, add_built_in_scene_claims}) {
-    add(claims);
-  }
+  add_claims(claims);
   return claims;
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
@@ -9,8 +11,10 @@
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/conformance.h>
+#include <fairlight/validation/ledger_run.h>
 #include <fairlight/validation/registry.h>
 #include <fairlight/validation/report.h>
+#include <fairlight/validation/since.h>
 
 namespace fairlight {
 namespace {
@@ -18,7 +22,7 @@ namespace {
 struct VerifyOptions {
   std::vector<std::string> claims;
   bool list = false;
-  std::string seed, json;
+  std::string seed, json, ledger, since;
   Conformance conformance{{.seed = 0}, hardware_threads()};
 };
 
@@ -59,20 +63,41 @@ void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conf
   print_depth(outcomes, conformance, seconds);
 }
 
+// The ledger is added to, not written anew.
+void check_ledger(const VerifyOptions& options) {
+  namespace fs = std::filesystem;
+  if (options.json.empty() || options.ledger.empty()) return;
+  if (fs::weakly_canonical(fs::absolute(options.json)) != fs::weakly_canonical(fs::absolute(options.ledger)))
+    return;
+  throw std::invalid_argument("--json and --ledger name the same file, \"" + options.json +
+                              "\" (one would overwrite the other)");
+}
+
 int verify(const VerifyOptions& options) {
-  const std::vector<const Claim*> claims = select_claims(options.claims);
+  std::vector<const Claim*> claims = select_claims(options.claims);
+  if (!options.since.empty()) claims = claims_since(options.since, claims, this_build());
   if (options.list) return list(claims);
+  if (claims.empty()) return 0;
   if (!options.json.empty()) WholeFile::check_writable(options.json);
   Conformance conformance = options.conformance;
   conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
+  check_ledger(options);
+  std::optional<LedgerRun> ledger;
+  if (!options.ledger.empty()) ledger.emplace(options.ledger, claims, this_build());
+  conformance.evidence = ledger.has_value();
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Outcome> outcomes = run_claims(claims, conformance, progress_bar("verify"));
+  std::vector<Outcome> outcomes = run_claims(claims, conformance, progress_bar("verify"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (ledger) ledger->add(outcomes, conformance);
   if (!options.json.empty()) write_json(options.json, outcomes_json(outcomes, conformance, seconds));
   print_outcomes(stdout, outcomes, conformance);
   print_verdict(outcomes, conformance, seconds);
+  if (ledger) ledger->print(stdout);
   return exit_status(overall(outcomes));
 }
+
+// An empty value is what an unset shell variable makes; it is not the same as no option.
+std::string not_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
 
 }  // namespace
 
@@ -89,6 +114,12 @@ void add_verify_command(CLI::App& program, Command& command) {
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Replays a run: the 16 hexadecimal digits that it printed");
   app->add_option("--json", options->json, "The outcomes, as JSON")->type_name("F.json");
+  app->add_option("--ledger", options->ledger, "A file in which the evidence of runs adds up, to finer margins")
+      ->check(not_empty, "")
+      ->type_name("F");
+  app->add_option("--since", options->since, "Only claims whose sources differ from this git revision")
+      ->check(not_empty, "")
+      ->type_name("REV");
   app->add_option("--threads", options->conformance.threads, "Threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
