@@ -19,12 +19,26 @@ void add_second_order_claims(std::vector<Claim>& claims);
 void add_scene_claims(std::vector<Claim>& claims);
 void add_built_in_scene_claims(std::vector<Claim>& claims);
 
-/// All of them, for packets as wide as this is compiled for.
+/// All of them, each with the name of its file, for packets as wide as this is compiled for.
 inline void add_claims(std::vector<Claim>& claims) {
-  for (const auto add : {add_random_claims, add_direction_claims, add_microfacet_claims, add_material_claims,
-                         add_light_claims, add_combinator_claims, add_camera_claims, add_allocation_claims,
-                         add_second_order_claims, add_scene_claims, add_built_in_scene_claims}) {
-    add(claims);
+  struct Topic {
+    const char* file;
+    void (*add)(std::vector<Claim>& claims);
+  };
+  for (const Topic& topic : {Topic{"random.cpp", add_random_claims},
+                             {"directions.cpp", add_direction_claims},
+                             {"microfacet.cpp", add_microfacet_claims},
+                             {"materials.cpp", add_material_claims},
+                             {"lights.cpp", add_light_claims},
+                             {"combinators.cpp", add_combinator_claims},
+                             {"cameras.cpp", add_camera_claims},
+                             {"allocation.cpp", add_allocation_claims},
+                             {"second_order.cpp", add_second_order_claims},
+                             {"scenes.cpp", add_scene_claims},
+                             {"built_in_scenes.cpp", add_built_in_scene_claims}}) {
+    const std::size_t before = claims.size();
+    topic.add(claims);
+    for (std::size_t i = before; i < claims.size(); ++i) claims[i].file = topic.file;
   }
 }
 
