@@ -15,6 +15,7 @@
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 
+#include <fairlight/estimators/vertex_source.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/raster.h>
 #include <fairlight/render/whole_file.h>
@@ -92,14 +93,16 @@ std::vector<Imf::Header> headers(const Picture& picture) {
   return {light, sums};
 }
 
-std::uint32_t sample_count(const Film::Pixel& pixel) {
-  if (pixel[0].count() > std::numeric_limits<std::uint32_t>::max()) {
+// Of a pixel: the film counts sets.
+std::uint32_t sample_count(const Film::Pixel& pixel, std::uint32_t points) {
+  const std::uint64_t samples = pixel[0].count() * points;
+  if (samples > std::numeric_limits<std::uint32_t>::max()) {
     throw std::runtime_error("a pixel holds more than 2^32 - 1 samples (the EXR's samples layer cannot say so)");
   }
-  return static_cast<std::uint32_t>(pixel[0].count());
+  return static_cast<std::uint32_t>(samples);
 }
 
-void write_light(Imf::MultiPartOutputFile& file, const Film& film) {
+void write_light(Imf::MultiPartOutputFile& file, const Film& film, std::uint32_t points) {
   Row<float> row(light_names(), film.width());
   Row<std::uint32_t> counts({"samples.N"}, film.width());
   Imf::FrameBuffer buffer;
@@ -115,7 +118,7 @@ void write_light(Imf::MultiPartOutputFile& file, const Film& film) {
         row.planes[c][column] = static_cast<float>(pixel[c].mean());
         row.planes[3 + c][column] = static_cast<float>(pixel[c].standard_error());
       }
-      counts.planes[0][column] = sample_count(pixel);
+      counts.planes[0][column] = sample_count(pixel, points);
     }
     part.writePixels(1);
   }
@@ -170,10 +173,11 @@ bool same_names(const Imf::ChannelList& channels, std::vector<std::string> names
 // What the ledger says was sampled is what every pixel has counted.
 void check_counts(const Picture& picture) {
   const std::uint64_t total = picture.samples.total();
+  const std::uint32_t points = SetsOfPoints(picture.settings.points).size();
   for (int y = 0; y < picture.film.height(); ++y) {
     for (int x = 0; x < picture.film.width(); ++x) {
       for (const ExactMoments& moments : picture.film.at(x, y)) {
-        if (moments.count() != total || total == 0)
+        if (moments.count() * points != total || total == 0)
           throw std::runtime_error("its sums do not belong to its samples");
       }
     }
@@ -205,7 +209,7 @@ void write_exr(const std::string& path, const Picture& picture) {
     ExrStream stream(whole, path);
     const std::vector<Imf::Header> parts = headers(picture);
     Imf::MultiPartOutputFile file(stream, parts.data(), static_cast<int>(parts.size()));
-    write_light(file, picture.film);
+    write_light(file, picture.film, picture.settings.points);
     write_sums(file, picture.film);
   }
   whole.commit();

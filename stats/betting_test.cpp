@@ -149,6 +149,21 @@ void BettingTest::check_range(std::span<const double> draws) const {
   }
 }
 
+// Against the mean being at most, and at least, the reference.
+BettingTest::Gains BettingTest::refute(const Block& block, double bet) const {
+  const auto& h = hypothesis_;
+  return {return_of(bet, h.mean - h.lower + h.rounding, block.mean - h.mean - h.rounding),
+          return_of(bet, h.upper - h.mean + h.tail_slack + h.rounding,
+                    h.mean - h.tail_slack - block.capped - h.rounding)};
+}
+
+// Against the mean being below the reference by the margin, and above it.
+BettingTest::Gains BettingTest::certify(const Block& block, double bet, double margin) const {
+  const auto& h = hypothesis_;
+  return {return_of(bet, h.mean - h.lower - margin, block.mean - h.mean + margin),
+          return_of(bet, h.upper - h.mean + h.tail_slack - margin, h.mean - h.tail_slack - block.capped + margin)};
+}
+
 void BettingTest::add(std::span<const double> draws) {
   if (draws.empty()) throw std::invalid_argument("a block must hold at least one draw");
   if (verdict_ !=
@@ -158,17 +173,14 @@ void BettingTest::add(std::span<const double> draws) {
   }
   const Block block = summarise(draws);
   blocks_.push_back(block);
-  const auto& h = hypothesis_;
-  const double above = block.mean - h.mean;
-  const double below = h.mean - h.tail_slack - block.capped;
-  const double room_down = h.mean - h.lower;
-  const double room_up = h.upper - h.mean + h.tail_slack;
   for (std::size_t i = 0; i < mixture_factors.size(); ++i) {
-    log_up_[i] += std::log1p(return_of(mixture_factors[i] * block.bet, room_down + h.rounding, above - h.rounding));
-    log_down_[i] += std::log1p(return_of(mixture_factors[i] * block.bet, room_up + h.rounding, below - h.rounding));
+    const Gains refuting = refute(block, mixture_factors[i] * block.bet);
+    log_up_[i] += std::log1p(refuting.up);
+    log_down_[i] += std::log1p(refuting.down);
   }
-  log_not_darker_ += std::log1p(return_of(block.bet, room_down - h.margin, above + h.margin));
-  log_not_brighter_ += std::log1p(return_of(block.bet, room_up - h.margin, below + h.margin));
+  const Gains certifying = certify(block, block.bet, hypothesis_.margin);
+  log_not_darker_ += std::log1p(certifying.up);
+  log_not_brighter_ += std::log1p(certifying.down);
   decide();
 }
 
@@ -180,6 +192,27 @@ double BettingTest::certifying() const { return std::log(1 / beta_); }
 
 Wealth BettingTest::wealth() const {
   return {log_mixture(log_up_), log_mixture(log_down_), log_not_brighter_, log_not_darker_};
+}
+
+// A block's bet for the test's own margin says what the variance of its mean was then thought to be.
+Wealth BettingTest::wealth_for(double margin) const {
+  const auto& h = hypothesis_;
+  if (!(margin > 0 && h.lower < h.mean - margin && h.mean + margin < h.upper)) {
+    throw std::invalid_argument(
+        "the mean, with a margin that is asked for later, must lie inside the declared range");
+  }
+  LogProduct too_bright, too_dark, not_brighter, not_darker;
+  for (const Block& block : blocks_) {
+    const double variance = h.margin / block.bet - h.margin * h.margin;
+    const double bet = margin / (variance + margin * margin);
+    const Gains refuting = refute(block, bet);
+    const Gains certifying = certify(block, bet, margin);
+    too_bright.multiply(1 + refuting.up);
+    too_dark.multiply(1 + refuting.down);
+    not_brighter.multiply(1 + certifying.down);
+    not_darker.multiply(1 + certifying.up);
+  }
+  return {too_bright.log(), too_dark.log(), not_brighter.log(), not_darker.log()};
 }
 
 void BettingTest::decide() {

@@ -90,6 +90,10 @@ class BettingTest {
   double certifying() const;
   Sides sides() const { return hypothesis_.sides; }
 
+  /// Where processes would stand that had bet on a bias of another margin, in X's unit, not mixed: on the same blocks, and by the past
+  /// alone, as these have. Throws std::invalid_argument for a margin that is not positive or leads out of the range.
+  Wealth wealth_for(double margin) const;
+
   /// Where the mean lies, in X's unit: each end is wrong with probability at most 1.25 beta, at any stopping time.
   /// (The processes that certify bet as the first of the mixture's three, whose weight is 0.8, so what they show,
   /// it shows.)
@@ -102,10 +106,16 @@ class BettingTest {
     double bet;     // l, before the cap that keeps a process positive
   };
 
+  struct Gains {  // of two processes, one that bets on bright draws and one that bets on dark ones
+    double up, down;
+  };
+
   Block summarise(std::span<const double> draws);
   void check_range(std::span<const double> draws) const;
   double bet(std::uint64_t block) const;
   double spread() const;
+  Gains refute(const Block& block, double bet) const;
+  Gains certify(const Block& block, double bet, double margin) const;
   double evidence(double candidate, bool above) const;
   void decide();
 

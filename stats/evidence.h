@@ -3,11 +3,12 @@
 #include <cstdint>
 #include <vector>
 
+#include <fairlight/stats/account.h>
 #include <fairlight/stats/betting_test.h>
 
 namespace fairlight {
 
-/// What a test saw, for people to look at. No verdict asks it.
+/// What a test saw, for people to look at and for accounts. Its own verdict does not ask it.
 struct Evidence {
   /// A law's cells: row by row, how many draws fell in each and with which probability they should.
   struct Cells {
@@ -47,6 +48,7 @@ struct Evidence {
 
   std::vector<Cells> laws;
   std::vector<Course> means;  ///< one a channel
+  Ladder ladder;              ///< the same channels, for an account of many runs
 };
 
 }  // namespace fairlight

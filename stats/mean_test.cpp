@@ -54,6 +54,23 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
   }
 }
 
+// Adds channels to the ladder of a claim, which may make several tests.
+void leave_ladder(const Trial& trial, const Ladder& ladder) {
+  if (trial.evidence == nullptr) return;
+  Ladder& all = trial.evidence->ladder;
+  all.first = ladder.first;
+  all.channels.insert(all.channels.end(), ladder.channels.begin(), ladder.channels.end());
+}
+
+Ladder ladder_of(const Trial& trial, const std::vector<BettingTest>& tests,
+                 const std::vector<Reference>& references) {
+  Ladder ladder{first_rung(trial.margin), {}};
+  for (std::size_t c = 0; c < tests.size(); ++c) {
+    ladder.channels.push_back(wealth_at_rungs(tests[c], trial.margin, references[c].scale));
+  }
+  return ladder;
+}
+
 // The bias of the worst channel over a few draws, for the report alone: the verdict rests on a draw out of its
 // range.
 double rough_bias(const std::vector<Reference>& references, const DrawBlock& draw_block) {
@@ -121,12 +138,14 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
     const std::string note = run(trial, tests, draw_block);
     Finding finding = worst_of(tests, references, trial.margin);
     if (!note.empty()) finding.note = note;
+    if (trial.evidence != nullptr) leave_ladder(trial, ladder_of(trial, tests, references));
     return with_token(trial, finding);
   } catch (const BadDraw& bad) {
     Finding finding{Verdict::biased, Guarantee::exact, trial.margin};
     finding.bias = rough_bias(references, draw_block);
     finding.draws = bad.draw() + 1;
     finding.note = bad.what();
+    leave_ladder(trial, refuted_ladder(trial.margin, references.size()));
     return with_token(trial, finding);
   }
 }

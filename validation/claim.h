@@ -20,6 +20,7 @@ struct Claim {
   std::function<Finding(const Trial&)> check;
   std::string real = "double";  ///< the arithmetic: double | packet
   double weight = 1;            ///< its share of the budget is weight / the sum of all weights
+  std::string file{};           ///< of claims/, where it is made; the registry fills it in
 };
 
 }  // namespace fairlight

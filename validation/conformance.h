@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <fairlight/render/render_image.h>
@@ -14,6 +15,7 @@ namespace fairlight {
 struct Conformance {
   Manifest::Terms terms;
   int threads = 1;
+  std::string instructions = "";  ///< whose packets: see registry(); the widest that run here if empty
   double seconds =
       std::numeric_limits<double>::infinity();  ///< when they are over, what has no verdict is undecided
   bool evidence = false;                        ///< whether outcomes keep what the tests saw

@@ -99,7 +99,7 @@ template <template <class> class Set, class Make, class Domain>
 Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetKind<Set>& points) {
   return {.name = e.name + ".coordinates." + points.suffix,
           .kind = "mean",
-          .subjects = {e.subject, points.subject, "PointSource"},
+          .subjects = {e.subject, points.subject, points.source},
           .statement = "over the points of a replicate, the draws have the mean coordinates of the stated density",
           .source = e.source,
           .margin_factor = 2,

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", fairlight::version);
   fairlight::Command command;
   fairlight::add_verify_command(program, command);
+  fairlight::add_ledger_command(program, command);
   fairlight::add_audit_command(program, command);
   fairlight::add_render_commands(program, command);
   try {

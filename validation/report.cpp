@@ -20,6 +20,7 @@ std::string replay(const std::string& claims, const Conformance& conformance) {
   const Conformance usual{{.seed = 0}};
   if (conformance.terms.margin != usual.terms.margin) command += " --margin " + digits(conformance.terms.margin);
   if (conformance.terms.budget != usual.terms.budget) command += " --budget " + digits(conformance.terms.budget);
+  if (!conformance.instructions.empty()) command += " --instructions " + conformance.instructions;
   return command;
 }
 

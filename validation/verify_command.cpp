@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <memory>
 #include <numeric>
+#include <optional>
 
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -12,9 +14,11 @@
 #include <fairlight/validation/artifacts.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/conformance.h>
+#include <fairlight/validation/ledger_run.h>
 #include <fairlight/validation/markdown.h>
 #include <fairlight/validation/registry.h>
 #include <fairlight/validation/report.h>
+#include <fairlight/validation/since.h>
 
 namespace fairlight {
 namespace {
@@ -23,7 +27,7 @@ struct VerifyOptions {
   std::vector<std::string> claims;
   bool list = false;
   bool all = false;
-  std::string seed, json, artifacts, report;
+  std::string seed, json, artifacts, report, ledger, since;
   Conformance conformance{{.seed = 0}, hardware_threads()};
 };
 
@@ -88,16 +92,24 @@ std::string artifact_folder(const VerifyOptions& options) {
   return std::filesystem::path(options.report).replace_extension().string() + "_artifacts";
 }
 
-void check_outputs(const VerifyOptions& options) {
+// Throws std::invalid_argument where two options name the same file.
+void require_different(const std::vector<std::pair<std::string, std::string>>& options) {
   namespace fs = std::filesystem;
+  std::map<fs::path, std::string> taken;
+  for (const auto& [option, file] : options) {
+    if (file.empty()) continue;
+    const auto [other, is_new] = taken.emplace(fs::weakly_canonical(fs::absolute(file)), option);
+    if (!is_new)
+      throw std::invalid_argument(other->second + " and " + option + " name the same file, \"" + file +
+                                  "\" (one would overwrite the other)");
+  }
+}
+
+void check_outputs(const VerifyOptions& options) {
   if (!options.json.empty()) WholeFile::check_writable(options.json);
   if (!options.report.empty()) WholeFile::check_writable(options.report);
   if (!artifact_folder(options).empty()) check_folder(artifact_folder(options));
-  if (options.json.empty() || options.report.empty()) return;
-  if (fs::weakly_canonical(fs::absolute(options.json)) == fs::weakly_canonical(fs::absolute(options.report))) {
-    throw std::invalid_argument("--json and --report name the same file, \"" + options.json +
-                                "\" (one would overwrite the other)");
-  }
+  require_different({{"--json", options.json}, {"--report", options.report}, {"--ledger", options.ledger}});
 }
 
 // For each claim that failed, and each that was asked for by its whole name.
@@ -134,20 +146,31 @@ void write_outputs(const VerifyOptions& options, const std::vector<Outcome>& out
 }
 
 int verify(const VerifyOptions& options) {
-  const std::vector<const Claim*> claims = select_claims(options.claims);
+  std::vector<const Claim*> claims = select_claims(options.claims, options.conformance.instructions);
+  if (!options.since.empty()) claims = claims_since(options.since, claims, this_build());
   if (options.list) return list(claims);
+  if (claims.empty()) return 0;
   Conformance conformance = options.conformance;
+  conformance.instructions =
+      choose_instructions(conformance.instructions).name;  // of which the last digits may depend
   conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
-  conformance.evidence = !artifact_folder(options).empty();
   check_outputs(options);
+  std::optional<LedgerRun> ledger;
+  if (!options.ledger.empty()) ledger.emplace(options.ledger, claims, this_build());
+  conformance.evidence = ledger.has_value() || !artifact_folder(options).empty();
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Outcome> outcomes = run_claims(claims, conformance, progress_bar("verify"));
+  std::vector<Outcome> outcomes = run_claims(claims, conformance, progress_bar("verify"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (ledger) ledger->add(outcomes, conformance);
   write_outputs(options, outcomes, conformance, seconds);
   print_outcomes(stdout, outcomes, conformance, options.all ? Rows::all : Rows::grouped);
   print_verdict(outcomes, conformance, seconds);
+  if (ledger) ledger->print(stdout);
   return exit_status(overall(outcomes));
 }
+
+// An empty value is what an unset shell variable makes; it is not the same as no option.
+std::string not_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
 
 }  // namespace
 
@@ -164,6 +187,9 @@ void add_verify_command(CLI::App& program, Command& command) {
   app->add_option("--budget", terms.budget, "The probability of a false alarm in a whole run")
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Replays a run: the 16 hexadecimal digits that it printed");
+  app->add_option("--instructions", options->conformance.instructions,
+                  "Whose packets: sse2, avx2 or avx512; the widest that this machine has if not given")
+      ->type_name("SET");
   app->add_option("--seconds", options->conformance.seconds,
                   "The time to take: first what looks wrong, then what is soon done; the rest is undecided");
   app->add_option("--json", options->json, "The outcomes, as JSON")->type_name("F.json");
@@ -173,6 +199,12 @@ void add_verify_command(CLI::App& program, Command& command) {
   app->add_option("--report", options->report,
                   "The outcomes, as a page with pictures, which --artifacts or F_artifacts holds")
       ->type_name("F.md");
+  app->add_option("--ledger", options->ledger, "A file in which the evidence of runs adds up, to finer margins")
+      ->check(not_empty, "")
+      ->type_name("F");
+  app->add_option("--since", options->since, "Only claims whose sources differ from this git revision")
+      ->check(not_empty, "")
+      ->type_name("REV");
   app->add_option("--threads", options->conformance.threads, "Threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

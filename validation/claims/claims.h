@@ -19,4 +19,27 @@ void add_second_order_claims(std::vector<Claim>& claims);
 void add_scene_claims(std::vector<Claim>& claims);
 void add_built_in_scene_claims(std::vector<Claim>& claims);
 
+/// All of them, each with the name of its file, for packets as wide as this is compiled for.
+inline void add_claims(std::vector<Claim>& claims) {
+  struct Topic {
+    const char* file;
+    void (*add)(std::vector<Claim>& claims);
+  };
+  for (const Topic& topic : {Topic{"random.cpp", add_random_claims},
+                             {"directions.cpp", add_direction_claims},
+                             {"microfacet.cpp", add_microfacet_claims},
+                             {"materials.cpp", add_material_claims},
+                             {"lights.cpp", add_light_claims},
+                             {"combinators.cpp", add_combinator_claims},
+                             {"cameras.cpp", add_camera_claims},
+                             {"allocation.cpp", add_allocation_claims},
+                             {"second_order.cpp", add_second_order_claims},
+                             {"scenes.cpp", add_scene_claims},
+                             {"built_in_scenes.cpp", add_built_in_scene_claims}}) {
+    const std::size_t before = claims.size();
+    topic.add(claims);
+    for (std::size_t i = before; i < claims.size(); ++i) claims[i].file = topic.file;
+  }
+}
+
 }  // namespace fairlight

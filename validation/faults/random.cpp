@@ -1,6 +1,7 @@
 #include <fairlight/validation/analytic/point_sets.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_point_sets.h>
+#include <fairlight/validation/scene_agreements.h>
 
 namespace fairlight {
 namespace {
@@ -36,8 +37,29 @@ Fault no_jitter() {
           {three_points_claim(wrong)}};
 }
 
+Fault one_vertex() {
+  const PointSetKind<faults::OneVertexSobolSet> wrong{"padded_sobol", ""};
+  return {"padded-one-vertex",
+          "streams",
+          "the class of SORT #35",
+          {point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
+           vertices_claim<double, faults::OneVertexSobol>("padded_sobol", {}),
+           vertices_claim<Packet, faults::OneVertexSobol>("padded_sobol", {}),
+           cornell_by_sets<double, faults::OneVertexSobol>("sobol", "")}};
+}
+
+Fault same_order() {
+  const PointSetKind<faults::OneOrderSobolSet> wrong{"padded_sobol", ""};
+  return {"padded-one-order",
+          "correlated dimensions",
+          "PBR 4ed, 8.6.5 (padded dimensions are shuffled)",
+          {product_variance_claim(wrong, 1.0 / 6)}};
+}
+
 }  // namespace
 
-std::vector<Fault> random_faults() { return {one_replicate(), one_scramble(), one_order(), no_jitter()}; }
+std::vector<Fault> random_faults() {
+  return {one_replicate(), one_scramble(), one_order(), no_jitter(), one_vertex(), same_order()};
+}
 
 }  // namespace fairlight

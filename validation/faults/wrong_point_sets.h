@@ -3,6 +3,7 @@
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
+#include <fairlight/validation/padded_sets.h>
 
 /// Point sets whose numbers are not as random as they look.
 namespace fairlight::faults {
@@ -67,5 +68,37 @@ struct MidpointLatinHypercube : LatinHypercube<Real> {
 
   Replicate replicate;
 };
+
+/// Every vertex of a path has the same numbers.
+struct OneVertexSobol : PaddedSobol {
+  using PaddedSobol::PaddedSobol;
+
+  template <class Real>
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+    return PaddedSobol::block(PathVertex<Real>{at.pixel, at.sample, Word<Real>(0u)}, b);
+  }
+};
+
+/// The points of a set come in the same order in every pair: each is right, but pairs depend on each other over a set.
+struct OneOrderSobol : PaddedSobol {
+  OneOrderSobol(const StreamKey& of, std::uint32_t n) : PaddedSobol(of, n), key(of) {}
+
+  template <class Real>
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+    const auto point = sets().point_of(at.sample);
+    const auto number = [&](std::uint32_t i, std::size_t shift) {
+      const auto seeds = sets().shared_words(key, at, b, i);
+      return Real(unit_number(reverse_bits(scramble_upwards(point, seeds[shift], seeds[2])), Word<Real>(0u)));
+    };
+    return {number(0, 0), number(0, 1), number(1, 0), number(1, 1), number(0, 3)};
+  }
+
+  StreamKey key;
+};
+
+template <class Real>
+using OneVertexSobolSet = PaddedSet<Real, OneVertexSobol>;
+template <class Real>
+using OneOrderSobolSet = PaddedSet<Real, OneOrderSobol>;
 
 }  // namespace fairlight::faults

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include <fairlight/render/whole_file.h>
+#include <fairlight/stats/seed.h>
+#include <fairlight/validation/commands.h>
+#include <fairlight/validation/conformance.h>
+#include <fairlight/validation/ledger.h>
+#include <fairlight/validation/registry.h>
+
+namespace fairlight {
+namespace {
+
+Ledger read_and_tell(const std::string& path) {
+  Ledger ledger = Ledger::read(path);
+  if (ledger.torn()) std::printf("the last line of %s had been cut off, and is left out\n", path.c_str());
+  return ledger;
+}
+
+std::string margin_text(double margin) {
+  if (std::isinf(margin)) return "none";
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.1e", margin);
+  return text.data();
+}
+
+// By the share of the budget and the miss rate that a claim has in a run of this program's whole registry.
+int show(const std::string& path) {
+  const Ledger ledger = read_and_tell(path);
+  const Manifest manifest = manifest_of({{.seed = 0}});
+  std::printf("%-40s %-16s %6s %14s %9s\n", "claim", "sources", "runs", "draws", "margin");
+  bool biased = false;
+  for (const auto& [key, entry] : ledger.entries()) {
+    const bool known =
+        std::ranges::any_of(registry(), [&](const Claim& claim) { return claim.name == entry.claim; });
+    std::string margin = "(not a claim of this program)";
+    if (known) {
+      const Trial trial = manifest.trial(entry.claim);
+      const bool refuted = entry.account.biased(trial.alpha);
+      margin = refuted ? "biased" : margin_text(entry.account.certified_margin(trial.beta));
+      biased = biased || refuted;
+    }
+    std::printf("%-40s %-16s %6zu %14llu %9s\n", entry.claim.c_str(), seed_text(entry.content).c_str(),
+                entry.seeds.size(), static_cast<unsigned long long>(entry.draws), margin.c_str());
+  }
+  return biased ? 1 : 0;
+}
+
+int merge(const std::vector<std::string>& inputs, const std::string& output) {
+  WholeFile::check_writable(output);
+  Ledger all;
+  for (const std::string& input : inputs) {
+    for (const auto& [key, entry] : read_and_tell(input).entries()) all.add(entry);
+  }
+  WholeFile file(output);
+  file.write(all.text());
+  file.commit();
+  std::printf("%zu ledgers merged, %zu entries that were in several taken once: %s\n", inputs.size(),
+              all.repeated(), output.c_str());
+  return 0;
+}
+
+void add_show(CLI::App& ledger, Command& command) {
+  auto* app = ledger.add_subcommand(
+      "show", "Runs, draws and the margin that is certified now, for each claim and its sources");
+  auto path = std::make_shared<std::string>();
+  app->add_option("ledger", *path, "The ledger")->required()->type_name("F");
+  app->callback([path, &command] { command = [path] { return show(*path); }; });
+}
+
+void add_merge(CLI::App& ledger, Command& command) {
+  auto* app = ledger.add_subcommand("merge", "One ledger of several: runs that are in more than one count once");
+  auto inputs = std::make_shared<std::vector<std::string>>();
+  auto output = std::make_shared<std::string>();
+  app->add_option("ledgers", *inputs, "Ledgers")->required()->type_name("F");
+  app->add_option("-o", *output, "The ledger of all, with a line for each claim and its sources")
+      ->required()
+      ->type_name("F");
+  app->callback([inputs, output, &command] { command = [inputs, output] { return merge(*inputs, *output); }; });
+}
+
+}  // namespace
+
+void add_ledger_command(CLI::App& program, Command& command) {
+  auto* app = program.add_subcommand("ledger", "Files in which the evidence of runs adds up");
+  add_show(*app, command);
+  add_merge(*app, command);
+}
+
+}  // namespace fairlight

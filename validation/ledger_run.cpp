@@ -1,0 +1,77 @@
+#include <algorithm>
+
+#include <fairlight/render/whole_file.h>
+#include <fairlight/validation/ledger_run.h>
+
+namespace fairlight {
+namespace {
+
+std::vector<LedgerEntry> entries_of(const std::vector<Outcome>& outcomes, const Conformance& conformance,
+                                    const std::map<std::string, std::uint64_t>& contents) {
+  std::vector<LedgerEntry> entries;
+  for (const Outcome& outcome : outcomes) {
+    const Account account(outcome.evidence.ladder);
+    if (account.empty()) continue;
+    entries.push_back({outcome.claim->name,
+                       contents.at(outcome.claim->name),
+                       {conformance.terms.seed},
+                       outcome.finding.draws,
+                       account});
+  }
+  return entries;
+}
+
+void print_torn(std::FILE* out, const std::string& path, const Ledger& ledger) {
+  if (ledger.torn())
+    std::fprintf(out, "ledger: the last line of %s had been cut off, and is left out\n", path.c_str());
+}
+
+}  // namespace
+
+LedgerRun::LedgerRun(const std::string& path, const std::vector<const Claim*>& claims, const BuildPlaces& places)
+    : path_(path) {
+  Sources sources(places);
+  std::map<std::string, std::uint64_t> contents;  // by file
+  for (const Claim* claim : claims) {
+    if (!contents.contains(claim->file)) contents[claim->file] = sources.content(claim->file);
+    contents_[claim->name] = contents[claim->file];
+  }
+  WholeFile::check_writable(path);
+  print_torn(stdout, path, Ledger::read_if_there(path));
+}
+
+void LedgerRun::add(std::vector<Outcome>& outcomes, const Conformance& conformance) {
+  const std::vector<LedgerEntry> entries = entries_of(outcomes, conformance, contents_);
+  if (!entries.empty()) Ledger::append(path_, entries);
+  ledger_ = Ledger::read_if_there(path_);
+  const Manifest manifest = manifest_of(conformance);
+  for (Outcome& outcome : outcomes) judge(outcome, manifest.trial(outcome.claim->name));
+}
+
+void LedgerRun::judge(Outcome& outcome, const Trial& trial) {
+  const LedgerEntry* entry = ledger_.find({trial.claim, contents_.at(trial.claim)});
+  if (entry == nullptr) return;
+  ++kept_;
+  runs_ = std::max(runs_, entry->seeds.size());
+  const double finer = trial.margin / entry->account.certified_margin(trial.beta);
+  if (finer > 1) finer_.push_back(finer);
+  if (!entry->account.biased(trial.alpha) || outcome.finding.verdict == Verdict::biased) return;
+  outcome.finding.verdict = Verdict::biased;
+  outcome.finding.note =
+      "biased by all " + std::to_string(entry->seeds.size()) + " runs of the ledger together, not by this one";
+}
+
+void LedgerRun::print(std::FILE* out) const {
+  std::fprintf(out, "ledger: %s, %zu runs: ", path_.c_str(), runs_);
+  if (kept_ == 0) {
+    std::fprintf(out, "no claim that rests on an exact test\n");
+    return;
+  }
+  std::fprintf(out, "%zu of %zu claims certified at a finer margin than this run's", finer_.size(), kept_);
+  std::vector<double> sorted = finer_;
+  std::ranges::sort(sorted);
+  if (!sorted.empty()) std::fprintf(out, ", half of them at least %.1f times", sorted[sorted.size() / 2]);
+  std::fputs("\n", out);
+}
+
+}  // namespace fairlight
