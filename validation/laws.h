@@ -72,12 +72,6 @@ Claim density_claim(const LawExperiment<Make, Domain>& e) {
           .real = "packet"};
 }
 
-/// Those that a wrong sampler must fail, whatever else it is tried on.
-template <class Make, class Domain>
-std::vector<Claim> claims_of_draws(const LawExperiment<Make, Domain>& e) {
-  return {law_claim(e), law_moments_claim<double>(e), law_moments_claim<Packet>(e)};
-}
-
 /// The mean coordinates of a law over its domain's square, of s, t and s t, by quadrature.
 template <class Law, class Domain>
 std::vector<Reference> mean_coordinates(const Law& law, const Domain& domain) {

@@ -1,4 +1,5 @@
 #include <fairlight/validation/analytic/point_sets.h>
+#include <fairlight/validation/analytic/streams.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/laws.h>
 #include <fairlight/validation/padded_sets.h>
@@ -30,6 +31,7 @@ void add_random_claims(std::vector<Claim>& claims) {
   add_law(claims, LawExperiment{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
                                 []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
                                 SquareDomain{0, 1}});
+  claims.push_back(streams_uncorrelated_claim());
   claims.push_back(mean_claim<double>(product_integral()));
   claims.push_back(mean_claim<Packet>(product_integral()));
   claims.push_back(replicates_claim(product_integral(), sobol_points, 1));
