@@ -35,7 +35,7 @@ std::string replay(const std::string& claim, const Conformance& conformance) {
 void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const Conformance& conformance) {
   std::fprintf(out, "%-34s %-10s %-14s %9s %22s %12s %7s\n", "claim", "verdict", "guarantee", "margin",
                "bias between", "draws", "seconds");
-  for (const auto& [claim, finding, seconds] : worst_first(outcomes)) {
+  for (const auto& [claim, finding, seconds, evidence] : worst_first(outcomes)) {
     const std::string interval = text("%+.2e", finding.interval.lo) + " " + text("%+.2e", finding.interval.hi);
     std::fprintf(out, "%-34s %-10s %-14s %9.1e %22s %12llu %7.2f\n", claim->name.c_str(), name(finding.verdict),
                  name(finding.guarantee), finding.margin, interval.c_str(),
@@ -50,7 +50,7 @@ void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const 
 
 nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
   nlohmann::json claims = nlohmann::json::array();
-  for (const auto& [claim, finding, claim_seconds] : outcomes) {
+  for (const auto& [claim, finding, claim_seconds, evidence] : outcomes) {
     claims.push_back({{"name", claim->name},
                       {"kind", claim->kind},
                       {"verdict", name(finding.verdict)},
