@@ -10,7 +10,7 @@ void add_verify_command(CLI::App& program, Command& command);
 /// Adds `ledger` to the program.
 void add_ledger_command(CLI::App& program, Command& command);
 
-/// Adds `calibration` and `power` to `audit`.
+/// Adds `calibration`, `power` and `ledger` to `audit`.
 void add_tester_commands(CLI::App& audit, Command& command);
 
 /// Adds `audit` to the program.

@@ -52,7 +52,8 @@ int merge(const std::vector<std::string>& inputs, const std::string& output) {
   WholeFile::check_writable(output);
   Ledger all;
   for (const std::string& input : inputs) {
-    for (const auto& [key, entry] : read_and_tell(input).entries()) all.add(entry);
+    const Ledger ledger = read_and_tell(input);
+    for (const auto& [key, entry] : ledger.entries()) all.add(entry);
   }
   WholeFile file(output);
   file.write(all.text());

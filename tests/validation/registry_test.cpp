@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <stdexcept>
 
@@ -20,6 +21,14 @@ TEST(Registry, SaysOfEveryClaimWhatItIsAndWhereItComesFrom) {
     EXPECT_FALSE(claim.source.empty()) << claim.name;
     EXPECT_FALSE(claim.subjects.empty()) << claim.name;
     EXPECT_GE(claim.margin_factor, 1) << claim.name;
+  }
+}
+
+TEST(Registry, KnowsTheFileOfEveryClaim) {
+  for (const Claim& claim : registry()) {
+    EXPECT_TRUE(std::filesystem::exists(FAIRLIGHT_SOURCE_DIR "/validation/claims/" + claim.file)) << claim.name;
+    EXPECT_EQ(claim.name.find_first_of(" \t\n"), std::string::npos)
+        << claim.name << ": a name is a word of a ledger's line";
   }
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/stats/seed.h>
+#include <fairlight/validation/audit/ledger_audit.h>
 #include <fairlight/validation/audit/tester_audit.h>
 
 // A short form of `fairlight audit calibration` and `audit power`.
@@ -29,6 +30,16 @@ TEST(TesterAudit, ASigmaFivePercentTooSmallIsFoundOut) {
   const TesterAudit audit = brief();
   for (const UniformityOutcome& o : audit_uniformity(audit)) {
     EXPECT_EQ(o.uniform, o.expected) << o.name << ", p = " << o.least << ", seed " << seed_text(audit.seed);
+  }
+}
+
+TEST(TesterAudit, LedgersFindWhatRunsDoNot) {
+  TesterAudit audit = brief();
+  audit.power_seeds = 40;
+  for (const LedgerOutcome& o : audit_ledger(audit)) {
+    EXPECT_TRUE(o.passed()) << "bias " << o.bias << ": " << o.ledgers_biased << " of " << o.ledgers
+                            << " ledgers biased, " << o.median_finer << " times finer, seed "
+                            << seed_text(audit.seed);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <fairlight/estimators/stream.h>
+#include <fairlight/estimators/vertex_source.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/validation/claim.h>
 
@@ -8,8 +8,8 @@ namespace fairlight {
 
 /// The numbers of vertex v of a path of a pixel, as renders take them; a fault may stand in its place.
 struct NumbersOfVertices {
-  static PhiloxStream<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t v) {
-    return {key, pixel, vertex_sample(path, v)};
+  static Five<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t v) {
+    return IndependentNumbers(key).block<double>({pixel, path, v}, 0);
   }
 };
 
@@ -18,7 +18,7 @@ template <class Numbers = NumbersOfVertices>
 Claim streams_uncorrelated_claim() {
   return {.name = "stream.apart",
           .kind = "second order",
-          .subjects = {"PhiloxStream"},
+          .subjects = {"PhiloxStream", "IndependentNumbers"},
           .statement = "the same number of two pixels, of two paths and of two vertices is uncorrelated",
           .source = "Salmon et al. 2011: counters that differ",
           .margin_factor = 5,
@@ -28,9 +28,7 @@ Claim streams_uncorrelated_claim() {
               const auto which = i % 3;
               const auto number = [&](std::uint32_t other) {
                 const auto pixel = static_cast<std::uint32_t>(2 * i) + (which == 0 ? other : 0);
-                auto source = Numbers::of(key, pixel, which == 1 ? other : 0, which == 2 ? other : 0);
-                for (std::uint64_t skipped = 0; skipped < i / 3 % 4; ++skipped) source.next();
-                return source.next();
+                return Numbers::of(key, pixel, which == 1 ? other : 0, which == 2 ? other : 0)[i / 3 % 5];
               };
               return std::pair(number(0), number(1));
             });

@@ -10,6 +10,7 @@
 #include <fairlight/stats/rosenblatt.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/sequential_t_test.h>
+#include <fairlight/validation/audit/ledger_audit.h>
 #include <fairlight/validation/audit/test_kinds.h>
 
 namespace fairlight {
@@ -206,11 +207,32 @@ TestKind replicates() {
           }};
 }
 
+// Runs of four times the margin, until their account has a verdict: a bias of the margin is no matter to any of them.
+TestKind account() {
+  return {"account", false, [](const Trial& trial, double bias) {
+            constexpr int most_runs = 1000;
+            Finding finding{Verdict::undecided, Guarantee::exact, trial.margin};
+            Account account;
+            for (int r = 0; r < most_runs && finding.verdict == Verdict::undecided; ++r) {
+              Trial one = trial;
+              one.claim += " run " + std::to_string(r);
+              one.margin = 4 * trial.margin;
+              const LeavingRun run = run_for_account(one, bias);
+              account.append(run.account);
+              finding.draws += run.finding.draws;
+              if (account.certified_margin(trial.beta) <= trial.margin) finding.verdict = Verdict::certified;
+              if (account.biased(trial.alpha)) finding.verdict = Verdict::biased;
+            }
+            return finding;
+          }};
+}
+
 std::vector<TestKind> build() {
   std::vector<TestKind> kinds;
   for (const CostLaw& law : cost_laws()) kinds.push_back(betting(law));
-  for (const auto& make : {one_sided, not_below, channels, difference, student, welch, counts, two_cells, density,
-                           kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates}) {
+  for (const auto& make :
+       {one_sided, not_below, channels, difference, student, welch, counts, two_cells, density, kolmogorov,
+        moments_of_the_law, variance, variance_at_most, correlation, replicates, account}) {
     kinds.push_back(make());
   }
   return kinds;

@@ -9,6 +9,7 @@
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
+#include <fairlight/validation/audit/ledger_audit.h>
 #include <fairlight/validation/audit/tester_audit.h>
 #include <fairlight/validation/commands.h>
 
@@ -116,6 +117,30 @@ int power(const TesterOptions& options) {
                   all_passed(outcomes));
 }
 
+int ledger(const TesterOptions& options) {
+  if (!options.json.empty()) WholeFile::check_writable(options.json);
+  const TesterAudit audit = options.audit();
+  const auto outcomes = audit_ledger(audit, progress_bar("ledger"));
+  std::printf("ledgers of 100 runs at the margin 0.05, level 1e-8, miss rate 0.01\n");
+  std::printf("%18s %10s %12s %14s %10s %14s %8s\n", "bias, of a margin", "runs", "certified", "biased alone",
+              "ledgers", "biased ledgers", "finer");
+  nlohmann::json json{{"ledgers", nlohmann::json::array()}};
+  bool passed = true;
+  for (const LedgerOutcome& o : outcomes) {
+    passed = passed && o.passed();
+    std::printf("%18.3f %10d %12d %14d %10d %14d %8.1f%s\n", o.bias, o.runs, o.runs_certified, o.runs_biased,
+                o.ledgers, o.ledgers_biased, o.median_finer, o.passed() ? "" : "  <- wrong");
+    json["ledgers"].push_back({{"bias", o.bias},
+                               {"runs", o.runs},
+                               {"runs_certified", o.runs_certified},
+                               {"runs_biased", o.runs_biased},
+                               {"ledgers", o.ledgers},
+                               {"ledgers_biased", o.ledgers_biased},
+                               {"median_finer", o.median_finer}});
+  }
+  return conclude(options, audit, json, passed);
+}
+
 void add_tester_command(CLI::App& audit, Command& command, const char* name, const char* help,
                         int (*run)(const TesterOptions&)) {
   auto* sub = audit.add_subcommand(name, help);
@@ -134,6 +159,8 @@ void add_tester_commands(CLI::App& audit, Command& command) {
                      "Right code: how often do the tests fail, and what do they cost?", calibration);
   add_tester_command(audit, command, "power", "Wrong code, off by the margin: how often do the tests miss it?",
                      power);
+  add_tester_command(audit, command, "ledger",
+                     "Runs added up: how fine a margin do 100 certify, and which biases do they find?", ledger);
 }
 
 }  // namespace fairlight

@@ -149,15 +149,15 @@ struct OneJitterLatinHypercube : LatinHypercube<Real> {
 
 /// Every pixel is given the numbers of the first. On record: the class of SORT #35.
 struct NumbersOfOnePixel {
-  static PhiloxStream<double> of(const StreamKey& key, std::uint32_t, std::uint32_t path, std::uint32_t vertex) {
-    return {key, 0, vertex_sample(path, vertex)};
+  static Five<double> of(const StreamKey& key, std::uint32_t, std::uint32_t path, std::uint32_t vertex) {
+    return IndependentNumbers(key).block<double>({0, path, vertex}, 0);
   }
 };
 
 /// Every vertex of a path is given the numbers of the first. On record: OpenCL-path-tracing-tutorial-3-Part-2 #2.
 struct NumbersOfOneVertex {
-  static PhiloxStream<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t) {
-    return {key, pixel, vertex_sample(path, 0)};
+  static Five<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t) {
+    return IndependentNumbers(key).block<double>({pixel, path, 0}, 0);
   }
 };
 

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <mutex>
+
+#include <fairlight/estimators/stream.h>
+#include <fairlight/render/parallel.h>
+#include <fairlight/stats/evidence.h>
+#include <fairlight/stats/mean_test.h>
+#include <fairlight/validation/audit/ledger_audit.h>
+
+namespace fairlight {
+namespace {
+
+constexpr int runs_a_ledger = 100;
+constexpr double margin = 0.05;
+constexpr double alpha = 1e-8;
+constexpr double beta = 0.01;
+constexpr double a_third = 1.0 / 3;
+
+struct Fate {
+  int runs_biased = 0;
+  int runs_certified = 0;
+  bool biased = false;  // at any time
+  double finer = 0;
+};
+
+// A ledger's runs, one after the other, with seeds that no other has.
+Fate fate_of(std::uint64_t seed, double bias) {
+  Account account;
+  Fate fate;
+  for (int r = 0; r < runs_a_ledger; ++r) {
+    const Trial trial{"ledger run " + std::to_string(r) + " bias " + std::to_string(bias), seed, alpha, beta,
+                      margin};
+    const LeavingRun run = run_for_account(trial, bias * margin);
+    fate.runs_biased += run.finding.verdict == Verdict::biased ? 1 : 0;
+    fate.runs_certified += run.finding.verdict == Verdict::certified ? 1 : 0;
+    account.append(run.account);
+    fate.biased = fate.biased || account.biased(alpha);
+  }
+  fate.finer = margin / account.certified_margin(beta);
+  return fate;
+}
+
+LedgerOutcome outcome_of(double bias, const std::vector<Fate>& fates) {
+  LedgerOutcome outcome{bias, 0, 0, 0, static_cast<int>(fates.size()), 0, 0};
+  std::vector<double> finer;
+  for (const Fate& fate : fates) {
+    outcome.runs += runs_a_ledger;
+    outcome.runs_biased += fate.runs_biased;
+    outcome.runs_certified += fate.runs_certified;
+    outcome.ledgers_biased += fate.biased ? 1 : 0;
+    finer.push_back(fate.finer);
+  }
+  std::ranges::sort(finer);
+  outcome.median_finer = finer[(finer.size() - 1) / 2];
+  return outcome;
+}
+
+}  // namespace
+
+LeavingRun run_for_account(const Trial& trial, double bias) {
+  Evidence evidence;
+  Trial watched = trial;
+  watched.evidence = &evidence;
+  const StreamKey key(trial.seed, trial.claim);
+  const auto draw_block = [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    for (std::size_t i = 0; i < channels[0].size(); ++i)
+      channels[0][i] = 2 * PhiloxStream<double>(key, 0, first + i).next() * (1 + bias);
+  };
+  const Finding finding = test_means(watched, {{1, 0, 2.5}}, draw_block);
+  return {finding, Account(evidence.ladder)};
+}
+
+bool LedgerOutcome::passed() const {
+  if (bias == 0) return median_finer >= 8 && ledgers_biased == 0;
+  return bias < a_third || (ledgers_biased == ledgers && 2 * runs_certified > runs);
+}
+
+std::vector<LedgerOutcome> audit_ledger(const TesterAudit& audit, const Progress& progress) {
+  const std::vector<double> biases{0, 1.0 / 6, 1.0 / 4, a_third};
+  const int ledgers = audit.power_seeds;
+  std::vector<std::vector<Fate>> fates(biases.size(), std::vector<Fate>(static_cast<std::size_t>(ledgers)));
+  std::mutex mutex;
+  int done = 0;
+  const int units = static_cast<int>(biases.size()) * ledgers;
+  for_each_unit(units, audit.threads, [&](int unit) {
+    const auto b = static_cast<std::size_t>(unit / ledgers);
+    const int l = unit % ledgers;
+    fates[b][static_cast<std::size_t>(l)] = fate_of(audit.seed + static_cast<std::uint64_t>(l), biases[b]);
+    const std::lock_guard lock(mutex);
+    if (progress) progress(static_cast<double>(++done) / units);
+  });
+  std::vector<LedgerOutcome> outcomes;
+  for (std::size_t b = 0; b < biases.size(); ++b) outcomes.push_back(outcome_of(biases[b], fates[b]));
+  return outcomes;
+}
+
+}  // namespace fairlight
