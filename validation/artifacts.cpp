@@ -106,7 +106,8 @@ std::vector<std::string> write_artifacts(const std::string& folder, const Outcom
     pictures.push_back(place + "/" + file);
     canvas.write(pictures.back());
   };
-  const auto& [laws, means] = outcome.evidence;
+  const auto& laws = outcome.evidence.laws;
+  const auto& means = outcome.evidence.means;
   const std::string title = outcome.claim->name + ": " + name(outcome.finding.verdict);
   for (std::size_t i = 0; i < laws.size(); ++i) {
     write_cells(place + "/" + numbered("cells", i, laws.size(), ""), laws[i]);

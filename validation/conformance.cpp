@@ -165,6 +165,11 @@ std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const C
   return Run(claims, conformance, progress).outcomes();
 }
 
+bool failed(const Outcome& outcome) {
+  const Verdict verdict = outcome.finding.verdict;
+  return verdict == Verdict::biased || (verdict == Verdict::undecided && !outcome.out_of_time);
+}
+
 Verdict overall(const std::vector<Outcome>& outcomes) {
   Verdict verdict = Verdict::certified;
   for (const Outcome& outcome : outcomes) verdict = worse(verdict, outcome.finding.verdict);

@@ -27,8 +27,11 @@ struct Outcome {
   Finding finding;
   double seconds;
   Evidence evidence{};
-  bool out_of_time = false;  ///< undecided for no other reason than that the time was up
+  bool out_of_time = false;  ///< that the time was up before its verdict
 };
+
+/// Biased, or undecided though there was time.
+bool failed(const Outcome& outcome);
 
 /// The whole registry on the terms of a run: a claim's share of the budget is the same whatever else runs.
 /// Throws as Manifest does: for a budget outside (0,1) here; for a name that is not in the registry, or a margin outside

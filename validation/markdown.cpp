@@ -82,8 +82,7 @@ std::string markdown(const Page& page, const std::string& path) {
     out += "![the intervals of all claims, in units of their margins](" + link(page.overview, path) + ")\n\n";
   }
   for (const Outcome& outcome : sorted) {
-    const bool failed = outcome.finding.verdict != Verdict::certified && !outcome.out_of_time;
-    if (failed || page.pictures.contains(outcome.claim->name)) out += section(page, outcome, path);
+    if (failed(outcome) || page.pictures.contains(outcome.claim->name)) out += section(page, outcome, path);
   }
   return out + "## All claims\n\n" + table(sorted);
 }

@@ -25,10 +25,6 @@ std::string title(const Group& group) {
   return first_name(*group[0]) + " (" + std::to_string(group.size()) + ")";
 }
 
-bool failed(const Outcome& outcome) {
-  return outcome.finding.verdict != Verdict::certified && !outcome.out_of_time;
-}
-
 std::vector<Group> grouped(const std::vector<Outcome>& outcomes, Rows rows) {
   const auto quiet = std::ranges::count_if(outcomes, [](const Outcome& o) { return !failed(o); });
   const bool merge = rows == Rows::grouped && static_cast<std::size_t>(quiet) > many;

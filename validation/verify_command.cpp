@@ -61,7 +61,7 @@ std::string names_of_failures(const std::vector<Outcome>& outcomes) {
   std::string names;
   int failures = 0;
   for (const Outcome& outcome : worst_first(outcomes)) {
-    if (certified(outcome) || ++failures > most) continue;
+    if (!failed(outcome) || ++failures > most) continue;
     names += (names.empty() ? "" : ", ") + outcome.claim->name;
   }
   return failures > most ? names + ", ..." : names;
@@ -70,8 +70,8 @@ std::string names_of_failures(const std::vector<Outcome>& outcomes) {
 void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
   const Verdict verdict = overall(outcomes);
   const auto passed = std::ranges::count_if(outcomes, certified);
-  const auto late = std::ranges::count_if(outcomes, [](const Outcome& o) { return o.out_of_time; });
-  const auto failures = static_cast<std::ptrdiff_t>(outcomes.size()) - passed - late;
+  const auto failures = std::ranges::count_if(outcomes, failed);
+  const auto late = static_cast<std::ptrdiff_t>(outcomes.size()) - passed - failures;
   if (verdict == Verdict::certified) {
     std::printf("certified: all of %zu claims hold to within their margins", outcomes.size());
   } else if (failures > 0) {
@@ -120,7 +120,7 @@ std::map<std::string, std::vector<std::string>> write_all_artifacts(const Verify
   for (const Outcome& outcome : outcomes) {
     const std::string& claim = outcome.claim->name;
     const bool named = std::ranges::find(options.claims, claim) != options.claims.end();
-    if (!named && (certified(outcome) || outcome.out_of_time)) continue;
+    if (!named && !failed(outcome)) continue;
     pictures[claim] = write_artifacts(artifact_folder(options), outcome, conformance);
   }
   return pictures;

@@ -173,6 +173,19 @@ TEST(Forecast, IsThePartOfAllSecondsThatIsSpent) {
   EXPECT_EQ(forecast.left(1), 8);
 }
 
+TEST(Failed, IsWhatIsBiasedOrUndecidedThoughThereWasTime) {
+  Outcome outcome{&registry()[0], {}, 0};
+  for (const bool late : {false, true}) {
+    outcome.out_of_time = late;
+    outcome.finding.verdict = Verdict::certified;
+    EXPECT_FALSE(failed(outcome));
+    outcome.finding.verdict = Verdict::biased;
+    EXPECT_TRUE(failed(outcome)) << "by the ledger, if not in time";
+    outcome.finding.verdict = Verdict::undecided;
+    EXPECT_EQ(failed(outcome), !late);
+  }
+}
+
 TEST(Overall, IsTheWorst) {
   Outcome good{&registry()[0], {}, 0};
   good.finding.verdict = Verdict::certified;
