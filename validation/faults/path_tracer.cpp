@@ -55,9 +55,8 @@ std::vector<Fault> path_tracer_faults() {
        .kind = "epsilon",
        .source = "the class of SORT #29",
        .claims = in_the_small<6>(),
-       .survives =
-           "in a sphere of 7 mm a micron loses (1e-6 / 14e-3)^2 = 5e-9 of the light at each bounce, and in "
-           "larger ones less: no claim has such a margin. Nobody sees it either, above a tenth of a millimetre"},
+       .survives = "in a sphere of 7 mm a micron loses (1e-6 / 14e-3)^2 = 5e-9 of the light at each bounce, and in "
+                   "larger ones less: no claim has such a margin"},
       shadowed_by_itself(),
       {"uniform-called-cosine",
        "two wrongs",
