@@ -114,7 +114,7 @@ auto shared_light() {
   };
   return floor_radiance<SharedTracer<Direct>>(
       "sphere_over_plane.shared", {"DirectLight", "SphereByCone", "CosineHemisphere", "BalanceHeuristic"},
-      large_light(), 1, bound);
+      large_light(), 2, bound);
 }
 
 template <class Direct = DirectLight<OneOf, PointsBy<SphereByCone>, Shared<>>>
