@@ -9,10 +9,7 @@
 #include <fairlight/validation/registry.h>
 
 #if defined(FAIRLIGHT_WIDE_CLAIMS)
-extern "C" {
-void fairlight_packet_claims_avx2(std::vector<fairlight::Claim>&);
-void fairlight_packet_claims_avx512(std::vector<fairlight::Claim>&);
-}
+extern "C" void fairlight_packet_claims_avx512(std::vector<fairlight::Claim>&);
 #endif
 
 namespace fairlight {
@@ -25,11 +22,8 @@ std::vector<Claim> build(const std::string& instructions) {
     fairlight_packet_claims_avx512(claims);
     return claims;
   }
-  if (instructions == "avx2") {
-    fairlight_packet_claims_avx2(claims);
-    return claims;
-  }
 #endif
+  static_cast<void>(instructions);
   add_claims(claims);
   return claims;
 }
@@ -40,10 +34,18 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 }  // namespace
 
+std::string claimed_instructions(const std::string& name) {
+  std::vector<InstructionSet> sets{instruction_sets().front()};
+#if defined(FAIRLIGHT_WIDE_CLAIMS)
+  sets.push_back(instruction_sets().back());
+#endif
+  return choose_instructions(name, sets).name;
+}
+
 const std::vector<Claim>& registry(const std::string& instructions) {
   static std::mutex mutex;
   static std::map<std::string, std::vector<Claim>> registries;
-  const std::string& set = choose_instructions(instructions).name;
+  const std::string set = claimed_instructions(instructions);
   const std::lock_guard lock(mutex);
   if (!registries.contains(set)) registries.emplace(set, build(set));
   return registries.at(set);

@@ -6,7 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -151,8 +150,7 @@ int verify(const VerifyOptions& options) {
   if (options.list) return list(claims);
   if (claims.empty()) return 0;
   Conformance conformance = options.conformance;
-  conformance.instructions =
-      choose_instructions(conformance.instructions).name;  // of which the last digits may depend
+  conformance.instructions = claimed_instructions(conformance.instructions);  // of which the last digits may depend
   conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
   check_outputs(options);
   std::optional<LedgerRun> ledger;
@@ -188,7 +186,7 @@ void add_verify_command(CLI::App& program, Command& command) {
       ->capture_default_str();
   app->add_option("--seed", options->seed, "Replays a run: the 16 hexadecimal digits that it printed");
   app->add_option("--instructions", options->conformance.instructions,
-                  "Whose packets: sse2, avx2 or avx512; the widest that this machine has if not given")
+                  "Whose packets: sse2 or avx512; the widest that this machine has if not given")
       ->type_name("SET");
   app->add_option("--seconds", options->conformance.seconds,
                   "The time to take: first what looks wrong, then what is soon done; the rest is undecided");
