@@ -134,6 +134,17 @@ TEST(Ledger, MergesToWhatOneWouldHold) {
   EXPECT_EQ(Ledger::read(folder / "m").text(), merged.text());
 }
 
+TEST(Ledger, TakesRunsOfSeveralFilesOneByOne) {
+  const TemporaryFolder folder;
+  Ledger::append(folder / "l", {run("a", 1, 3), run("a", 2, 3)});
+  Ledger::append(folder / "m", {run("a", 2, 3), run("a", 3, 3)});
+  Ledger both;
+  both.add_file(folder / "l");
+  both.add_file(folder / "m");
+  EXPECT_EQ(both.find({"a", 7})->seeds, (std::set<std::uint64_t>{1, 2, 3}));
+  EXPECT_EQ(both.repeated(), 1u);
+}
+
 TEST(Ledger, KeepsTheLargerOfTwoThatShareRuns) {
   Ledger three;
   for (std::uint64_t seed : {1u, 2u, 3u}) three.add(run("a", seed, 3));
