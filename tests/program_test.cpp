@@ -190,7 +190,7 @@ TEST(Program, VerifiesAndReplays) {
   }
 }
 
-const std::string a_run = "verify pick.all.dice --margin 0.05 ";
+const std::string a_run = "verify pick.all.dice.latin --margin 0.05 ";
 
 TEST(Program, AddsRunsUpInALedger) {
   const TemporaryFolder folder;
