@@ -44,6 +44,8 @@ void LedgerRun::add(std::vector<Outcome>& outcomes, const Conformance& conforman
   const std::vector<LedgerEntry> entries = entries_of(outcomes, conformance, contents_);
   if (!entries.empty()) Ledger::append(path_, entries);
   ledger_ = Ledger::read_if_there(path_);
+  runs_ = kept_ = 0;
+  finer_.clear();
   const Manifest manifest = manifest_of(conformance);
   for (Outcome& outcome : outcomes) judge(outcome, manifest.trial(outcome.claim->name));
 }

@@ -1,3 +1,4 @@
+#include <latch>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -215,6 +216,22 @@ TEST(Ledger, LosesNothingOfTwoWritersAtOnce) {
   const Ledger ledger = Ledger::read(folder / "l");
   EXPECT_EQ(ledger.entries().size(), 4u);
   for (const auto& [key, entry] : ledger.entries()) EXPECT_EQ(entry.seeds.size(), runs) << key.first;
+}
+
+TEST(Ledger, IsBegunOnceByTwoWritersAtOnce) {
+  const TemporaryFolder folder;
+  for (int round = 0; round < 100; ++round) {
+    const std::string path = folder / std::to_string(round);
+    std::latch start(2);
+    const auto write = [&](const std::string& claim) {
+      start.arrive_and_wait();
+      Ledger::append(path, {run(claim, 1, 3)});
+    };
+    std::thread other(write, "a");
+    write("b");
+    other.join();
+    EXPECT_EQ(what_reading_says(path), "");
+  }
 }
 
 TEST(Ledger, RefusesWhatIsNoLedgerInOneSentence) {
