@@ -14,9 +14,13 @@ concept UniformSource = requires(Source source) {
   { source.next() } -> std::convertible_to<Real>;
 };
 
-/// The next two dimensions of a source.
+/// The next two dimensions of a source; of one that spreads pairs, a pair.
 template <class Real, UniformSource<Real> Source>
 Vec2<Real> next_pair(Source& source) {
+  if constexpr (requires { source.pair(); }) {
+    const auto pair = source.pair();
+    return {pair[0], pair[1]};
+  }
   const Real first = source.next();
   return {first, source.next()};
 }

@@ -49,19 +49,21 @@ W reverse_bits(W x) {
 }
 
 /// Owen's nested uniform scrambling of binary digits, by a hash: each digit is flipped or not, as the digits before
-/// it and the seeds say. On reversed bits these are the operations that carry upwards only. `shift` alone makes the
+/// it and the seeds say. On reversed bits these are operations that carry upwards only. `shift` alone makes the
 /// law of a scrambled number uniform, exactly; the rest makes digits of numbers that have parted nearly independent.
 /// Source: Owen 1995; Laine and Karras 2011; Burley 2020, "Practical hash-based Owen scrambling", section 3;
 /// constants by Vegdahl 2021, as in PBR 4ed, 8.6.3 (FastOwenScrambler), which takes shift and factor from one word.
-template <class W>
-W nested_scramble(W digits, std::uint32_t shift, std::uint32_t factor) {
-  W x = reverse_bits(digits);
-  x ^= x * W(0x3D20ADEAu);
+template <class W, class Seed>
+W scramble_upwards(W reversed, const Seed& shift, const Seed& factor) {
+  W x = reversed ^ (reversed * W(0x3D20ADEAu));
   x += W(shift);
-  x *= W(factor | 1u);
+  x *= W(factor) | W(1u);
   x ^= x * W(0x05526C56u);
-  x ^= x * W(0x53A22864u);
-  return reverse_bits(x);
+  return x ^ (x * W(0x53A22864u));
+}
+template <class W>
+W nested_scramble(const W& digits, std::uint32_t shift, std::uint32_t factor) {
+  return reverse_bits(scramble_upwards(reverse_bits(digits), shift, factor));
 }
 
 /// Sobol's points, Owen-scrambled: of 2^k points, one in each elementary interval as far as Sobol's sequence has it

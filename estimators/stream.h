@@ -47,14 +47,8 @@ class StreamKey {
 
 /// A UniformSource: the numbers of one sample, in [0,1), one dimension after the other. A number is a function of
 /// (key, unit, sample, dimension) and of nothing else; a unit is a pixel, a chain or a block of draws.
-/// A path that is followed vertex by vertex has, at each, dimensions of its own: a sample's upper word counts the vertices.
 template <class Real>
 class PhiloxStream;
-
-/// The number of the sample that serves vertex v of path i < 2^32 of a unit.
-constexpr std::uint64_t vertex_sample(std::uint32_t path, std::uint32_t vertex) {
-  return std::uint64_t{vertex} << 32 | path;
-}
 
 template <>
 class PhiloxStream<double> {
@@ -93,14 +87,11 @@ class PhiloxStream<xsimd::batch<float, A>> {
 
   /// Of the samples `first`, `first` + 1, ..., one a lane.
   PhiloxStream(const StreamKey& key, std::uint32_t unit, std::uint64_t first)
-      : PhiloxStream(key, Word(unit), Word(static_cast<std::uint32_t>(first)) + lane_numbers<A>(),
-                     Word(static_cast<std::uint32_t>(first >> 32))) {
+      : key_{Word(key.words()[0]), Word(key.words()[1])},
+        counter_{Word(0u), Word(static_cast<std::uint32_t>(first)) + lane_numbers<A>(),
+                 Word(static_cast<std::uint32_t>(first >> 32)), Word(unit)} {
     counter_[2] += select(counter_[1] < lane_numbers<A>(), Word(1u), Word(0u));  // where the low word has wrapped
   }
-
-  /// Of any unit and any sample, by its lower and its upper word, in every lane.
-  PhiloxStream(const StreamKey& key, const Word& unit, const Word& lower, const Word& upper)
-      : key_{Word(key.words()[0]), Word(key.words()[1])}, counter_{Word(0u), lower, upper, unit} {}
 
   /// The next dimension: the upper 24 bits of a word, or the lower 8 of three.
   Real next() {

@@ -101,7 +101,11 @@ class DirectLight {
     const auto by_light = points_.pdf(lights, i, ray.leaving == surface, ray.origin, ray.direction);
     const Real chosen = seen_from(lights, ray.origin).template probability<Real>(lights.size(), i);
     const Density<SolidAngle, Real> by_bounce(select(found, density, Real(1)));
-    return select(found, sharing_.weight(std::array{chosen, Real(1)}, std::array{by_light, by_bounce}, 1), Real(1));
+    const Real shared = sharing_.weight(std::array{chosen, Real(1)}, std::array{by_light, by_bounce}, 1);
+    // A luminaire that is met where its own sampling does not reach is met beyond its rim, by rounding, and as much of it is missed
+    // within: shadow rays count all of that, so here it counts nothing. Small lights far away have wide rims.
+    const Mask<Real> beyond = found && by_light.value() == Real(0) && chosen > Real(0);
+    return select(found, select(beyond, Real(0), shared), Real(1));
   }
 
   /// Whether a bounce that has a density need not look for light.

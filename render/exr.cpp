@@ -10,11 +10,14 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 
+#include <fairlight/estimators/vertex_source.h>
 #include <fairlight/render/picture.h>
+#include <fairlight/render/raster.h>
 #include <fairlight/render/whole_file.h>
 #include <fairlight/version.h>
 
@@ -90,14 +93,16 @@ std::vector<Imf::Header> headers(const Picture& picture) {
   return {light, sums};
 }
 
-std::uint32_t sample_count(const Film::Pixel& pixel) {
-  if (pixel[0].count() > std::numeric_limits<std::uint32_t>::max()) {
+// Of a pixel: the film counts sets.
+std::uint32_t sample_count(const Film::Pixel& pixel, std::uint32_t points) {
+  const std::uint64_t samples = pixel[0].count() * points;
+  if (samples > std::numeric_limits<std::uint32_t>::max()) {
     throw std::runtime_error("a pixel holds more than 2^32 - 1 samples (the EXR's samples layer cannot say so)");
   }
-  return static_cast<std::uint32_t>(pixel[0].count());
+  return static_cast<std::uint32_t>(samples);
 }
 
-void write_light(Imf::MultiPartOutputFile& file, const Film& film) {
+void write_light(Imf::MultiPartOutputFile& file, const Film& film, std::uint32_t points) {
   Row<float> row(light_names(), film.width());
   Row<std::uint32_t> counts({"samples.N"}, film.width());
   Imf::FrameBuffer buffer;
@@ -113,7 +118,7 @@ void write_light(Imf::MultiPartOutputFile& file, const Film& film) {
         row.planes[c][column] = static_cast<float>(pixel[c].mean());
         row.planes[3 + c][column] = static_cast<float>(pixel[c].standard_error());
       }
-      counts.planes[0][column] = sample_count(pixel);
+      counts.planes[0][column] = sample_count(pixel, points);
     }
     part.writePixels(1);
   }
@@ -168,10 +173,11 @@ bool same_names(const Imf::ChannelList& channels, std::vector<std::string> names
 // What the ledger says was sampled is what every pixel has counted.
 void check_counts(const Picture& picture) {
   const std::uint64_t total = picture.samples.total();
+  const std::uint32_t points = SetsOfPoints(picture.settings.points).size();
   for (int y = 0; y < picture.film.height(); ++y) {
     for (int x = 0; x < picture.film.width(); ++x) {
       for (const ExactMoments& moments : picture.film.at(x, y)) {
-        if (moments.count() != total || total == 0)
+        if (moments.count() * points != total || total == 0)
           throw std::runtime_error("its sums do not belong to its samples");
       }
     }
@@ -203,8 +209,31 @@ void write_exr(const std::string& path, const Picture& picture) {
     ExrStream stream(whole, path);
     const std::vector<Imf::Header> parts = headers(picture);
     Imf::MultiPartOutputFile file(stream, parts.data(), static_cast<int>(parts.size()));
-    write_light(file, picture.film);
+    write_light(file, picture.film, picture.settings.points);
     write_sums(file, picture.film);
+  }
+  whole.commit();
+}
+
+void write_exr(const std::string& path, int width, int height, const std::vector<Plane>& planes) {
+  Imf::Header header(width, height);
+  Imf::FrameBuffer buffer;
+  const std::size_t row = sizeof(float) * static_cast<std::size_t>(width);
+  for (const Plane& plane : planes) {
+    if (plane.values.size() * sizeof(float) != row * static_cast<std::size_t>(height)) {
+      throw std::invalid_argument("the plane \"" + plane.name + "\" must have one value a pixel");
+    }
+    header.channels().insert(plane.name, Imf::Channel(Imf::FLOAT));
+    auto* first =
+        const_cast<float*>(plane.values.data());  // a slice is read from here, though its type could be written to
+    buffer.insert(plane.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), sizeof(float), row));
+  }
+  WholeFile whole(path);
+  {
+    ExrStream stream(whole, path);
+    Imf::OutputFile file(stream, header);
+    file.setFrameBuffer(buffer);
+    file.writePixels(height);
   }
   whole.commit();
 }

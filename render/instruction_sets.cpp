@@ -5,8 +5,8 @@
 
 #if defined(__x86_64__)
 extern "C" {
-fairlight::TileRenderer* fairlight_tile_renderer_avx2(const fairlight::TileSettings&);
-fairlight::TileRenderer* fairlight_tile_renderer_avx512(const fairlight::TileSettings&);
+fairlight::TileRenderer* fairlight_packet_renderer_avx2(const fairlight::TileSettings&);
+fairlight::TileRenderer* fairlight_packet_renderer_avx512(const fairlight::TileSettings&);
 }
 #endif
 
@@ -21,15 +21,17 @@ TileRenderer* make_renderer(const TileSettings& settings) {
 }  // namespace
 
 const std::vector<InstructionSet>& instruction_sets() {
-#if defined(__x86_64__)
+#if defined(__AVX__)  // all of the program is built for one machine, as by the preset native
+  static const std::vector<InstructionSet> sets{{"native", true, lanes<Packet>, make_renderer<Packet>}};
+#elif defined(__x86_64__)
   static const std::vector<InstructionSet> sets{
       {"sse2", true, 4, make_renderer<Packet>},
-      {"avx2", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), 8, fairlight_tile_renderer_avx2},
+      {"avx2", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), 8, fairlight_packet_renderer_avx2},
       {"avx512",
        __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
            __builtin_cpu_supports("avx512cd"),
-       16, fairlight_tile_renderer_avx512}};
+       16, fairlight_packet_renderer_avx512}};
 #else
   static const std::vector<InstructionSet> sets{{"neon", true, lanes<Packet>, make_renderer<Packet>}};
 #endif

@@ -11,7 +11,7 @@ namespace fairlight {
 /// One of the instruction sets that the packet renderer is built for. Wider packets do more at once; a picture of packets is
 /// the same to the bit for any machine and any number of threads, given the instruction set.
 struct InstructionSet {
-  std::string name;   ///< sse2 | avx2 | avx512, or neon
+  std::string name;   ///< sse2 | avx2 | avx512, or neon, or native
   bool runs_here;     ///< whether this machine has it
   std::size_t lanes;  ///< of a packet
   TileRenderer* (*make)(const TileSettings&);

@@ -2,6 +2,6 @@
 
 #include <fairlight/render/tile_tracer.h>
 
-extern "C" fairlight::TileRenderer* FAIRLIGHT_PACKET_RENDERER(const fairlight::TileSettings& settings) {
+extern "C" fairlight::TileRenderer* FAIRLIGHT_ENTRY(const fairlight::TileSettings& settings) {
   return new fairlight::TileTracer<fairlight::Packet>(settings);
 }

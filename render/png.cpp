@@ -5,6 +5,7 @@
 #include <png.h>
 
 #include <fairlight/render/picture.h>
+#include <fairlight/render/raster.h>
 #include <fairlight/render/whole_file.h>
 
 namespace fairlight {
@@ -31,15 +32,22 @@ std::vector<png_byte> encode(const Film& film) {
 }  // namespace
 
 void write_png(const std::string& path, const Film& film) {
-  const std::vector<png_byte> pixels = encode(film);
+  write_png(path, film.width(), film.height(), encode(film));
+}
+
+void write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb) {
+  if (width < 1 || height < 1 ||
+      rgb.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    throw std::invalid_argument("a raster has three bytes a pixel");
+  }
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(film.width());
-  image.height = static_cast<png_uint_32>(film.height());
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
   image.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::vector<char> bytes(size);
-  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0) {
     throw std::runtime_error("cannot encode \"" + path + "\" (" + image.message + ")");
   }
   WholeFile file(path);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 #include <unistd.h>
 
@@ -9,14 +11,30 @@
 
 namespace fairlight {
 
+/// What a progress bar says when so much is done after so many seconds: "verify [#####...............]  25 %, 35 s left".
+inline std::string progress_line(const std::string& what, double done, double seconds) {
+  constexpr int width = 30;
+  const int full = static_cast<int>(width * done);
+  const double left = seconds * (1 - done) / done;
+  std::string text = what + " [" + std::string(static_cast<std::size_t>(full), '#') +
+                     std::string(static_cast<std::size_t>(width - full), '.') + "] ";
+  text += std::to_string(static_cast<int>(100 * done)) + " %, ";
+  const bool minutes = left >= 120;
+  return text + std::to_string(std::llround(std::ceil(minutes ? left / 60 : left))) +
+         (minutes ? " min left" : " s left");
+}
+
 /// A line on the terminal that shows the fraction done and the time left; silent where standard error is no
 /// terminal.
-inline Progress progress_bar(const char* what) {
+inline Progress progress_bar(const std::string& what) {
   if (isatty(STDERR_FILENO) == 0) return {};
-  return [what, start = std::chrono::steady_clock::now()](double done) {
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    std::fprintf(stderr, "\r%s %3.0f %%, %.0f s left \033[K", what, 100 * done, seconds * (1 - done) / done);
-    if (done >= 1) std::fputs("\r\033[K", stderr);
+  using Clock = std::chrono::steady_clock;
+  return [what, start = Clock::now(), shown = Clock::time_point()](double done) mutable {
+    const auto now = Clock::now();
+    if (done < 1 && now - shown < std::chrono::milliseconds(100)) return;
+    shown = now;
+    const double seconds = std::chrono::duration<double>(now - start).count();
+    std::fprintf(stderr, "\r%s\033[K", done < 1 ? progress_line(what, done, seconds).c_str() : "");
   };
 }
 

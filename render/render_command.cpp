@@ -21,17 +21,19 @@ namespace {
 
 constexpr std::uint64_t most_samples = 0xFFFFFFFF;  // of a pixel: the EXR's layer counts in 32 bits
 constexpr unsigned long most_shards = 65536;
+constexpr std::uint32_t usual_points = 16;
 
 struct RenderOptions {
   RenderSettings settings;
   std::uint64_t spp = 0;
+  std::uint32_t points = 0;  ///< 0 if not given
   std::string output, png, json, seed, resume, instructions;
   std::string shard = "1/1";
   int threads = hardware_threads();
 };
 
-// Shard i of N holds samples (i-1) spp / N to i spp / N.
-SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint64_t spp) {
+// Shard i of N holds sets (i-1) sets / N to i sets / N, of so many points each.
+SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint64_t sets, std::uint64_t points) {
   unsigned long i = 0;
   unsigned long n = 0;
   char rest = 0;
@@ -39,9 +41,10 @@ SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint
     throw std::invalid_argument("\"" + shard +
                                 "\" is not a shard (give i/N with i from 1 to N, and N at most 65536)");
   }
-  const SampleRange range{first + (i - 1) * spp / n, first + i * spp / n};
+  const SampleRange range{first + (i - 1) * sets / n * points, first + i * sets / n * points};
   if (range.first == range.last)
-    throw std::invalid_argument("shard " + shard + " is empty (there are more shards than samples)");
+    throw std::invalid_argument("shard " + shard + " is empty (there are more shards than " +
+                                (points == 1 ? "samples)" : "sets of points)"));
   return range;
 }
 
@@ -98,7 +101,7 @@ void check_outputs(const RenderOptions& options) {
 }
 
 void check_count(const Picture& picture, std::uint64_t spp) {
-  const std::uint64_t held = picture.film.at(0, 0)[0].count();
+  const std::uint64_t held = picture.samples.total();
   if (spp > most_samples - held) {
     throw std::invalid_argument("a pixel can hold 2^32 - 1 samples (ask for fewer; the picture has " +
                                 std::to_string(held) + ")");
@@ -108,10 +111,12 @@ void check_count(const Picture& picture, std::uint64_t spp) {
 int render(const RenderOptions& options) {
   const View view = view_of(options.settings);
   check_outputs(options);
+  check_whole_sets(options.settings, options.spp);
   Picture picture = start(options);
   check_count(picture, options.spp);
   const std::uint64_t seed = choose_seed(options, picture);
-  const SampleRange range = shard_range(options.shard, picture.samples.next(seed), options.spp);
+  const std::uint32_t points = options.settings.points;
+  const SampleRange range = shard_range(options.shard, picture.samples.next(seed), options.spp / points, points);
   picture.samples.add(seed, range);
 
   const auto begin = std::chrono::steady_clock::now();
@@ -124,7 +129,7 @@ int render(const RenderOptions& options) {
   if (!options.json.empty()) write_json(options.json, report(options, seed, cost, seconds));
   std::printf("%s: %d x %d pixels, %llu samples each, %.1f s, seed %s: %s%s%s\n", options.settings.scene.c_str(),
               options.settings.width, options.settings.height,
-              static_cast<unsigned long long>(picture.film.at(0, 0)[0].count()), seconds, seed_text(seed).c_str(),
+              static_cast<unsigned long long>(picture.samples.total()), seconds, seed_text(seed).c_str(),
               options.output.c_str(), options.png.empty() ? "" : ", ", options.png.c_str());
   return 0;
 }
@@ -181,6 +186,10 @@ void add_render(CLI::App& program, Command& command) {
          {"all", "one", "power", "contribution"});
   choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "throughput", "off"});
   choice("--filter", settings.filter, "The pixel filter", {"tent", "box", "gaussian", "blackman-harris"});
+  choice("--random", settings.random, "Where random numbers come from", {"independent", "sobol", "stratified"});
+  app->add_option("--points", options->points,
+                  "Samples that sobol and stratified spread together: a power of two up to 1024; 16 if not given")
+      ->check(CLI::Range(1, 1024));
   app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
       ->check(CLI::Range(0, 1 << 20));
   const CLI::Range any_size(0.0, std::numeric_limits<double>::max());
@@ -195,7 +204,13 @@ void add_render(CLI::App& program, Command& command) {
   app->add_option("--instructions", options->instructions, "What packets are worked on by; the widest if not given")
       ->check(CLI::IsMember(instruction_names()));
   app->add_option("--seed", options->seed, "1 to 16 hexadecimal digits; fresh if not given")->check(not_empty, "");
-  app->callback([options, &command] { command = [options] { return render(*options); }; });
+  app->callback([options, &command] {
+    if (options->points != 0)
+      options->settings.points = options->points;
+    else if (options->settings.random != "independent")
+      options->settings.points = usual_points;
+    command = [options] { return render(*options); };
+  });
 }
 
 void add_merge(CLI::App& program, Command& command) {

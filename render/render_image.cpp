@@ -20,6 +20,23 @@ std::vector<Tile> tiles(int width, int height) {
   return all;
 }
 
+bool absorbs_nothing(const Surface& surface) {
+  return surface.material.kind == Material::Kind::glass || surface.material.albedo.maxCoeff() == 1;
+}
+
+// A ray that starts inside glass may be reflected round and round, all of it; so may one where nothing is darker than white.
+void check_camera(const View& view, const Strategies& strategies) {
+  if (strategies.max_depth >= 0) return;
+  const std::vector<Surface>& surfaces = view.scene.surfaces();
+  const bool all_white = std::ranges::all_of(surfaces, absorbs_nothing);
+  for (const Surface& surface : surfaces) {
+    const bool keeps_light = surface.material.kind == Material::Kind::glass || all_white;
+    if (keeps_light && !surface.rectangle && surface.shape.level(view.camera.settings().eye) < 0)
+      throw std::invalid_argument(
+          "the camera is inside a sphere that absorbs nothing, and a path need not end (give --max-depth)");
+  }
+}
+
 }  // namespace
 
 View view_of(const RenderSettings& settings) {
@@ -32,10 +49,23 @@ View view_of(const RenderSettings& settings) {
   return view;
 }
 
+void check_whole_sets(const RenderSettings& settings, std::uint64_t samples) {
+  const std::uint64_t rest = samples % SetsOfPoints(settings.points).size();
+  if (rest == 0) return;
+  const std::string fewer = samples == rest ? "" : std::to_string(samples - rest) + " or ";
+  throw std::invalid_argument(std::to_string(samples) + " samples are no whole sets of " +
+                              std::to_string(settings.points) + " points (give --spp " + fewer +
+                              std::to_string(samples - rest + settings.points) + ", or --points)");
+}
+
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions) {
   const Strategies strategies(settings, view.scene);
-  const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render"),
+  check_camera(view, strategies);
+  if (settings.real == "packet") require_floats(view.scene);
+  check_whole_sets(settings, range.first);
+  check_whole_sets(settings, range.last);
+  const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render " + settings.random),
                            film.width(), film.height()};
   const auto renderer = tile_renderer(settings.real, choose_instructions(instructions), tiled);
   const std::vector<Tile> units = tiles(film.width(), film.height());

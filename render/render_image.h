@@ -12,6 +12,10 @@ namespace fairlight {
 /// The scene that the settings name, through the camera that they ask for. Throws std::invalid_argument for one that does not exist.
 View view_of(const RenderSettings& settings);
 
+/// Samples that come in sets are rendered by whole sets. Throws std::invalid_argument, saying what would do, for a number of them that
+/// is no multiple of the settings' `points`.
+void check_whole_sets(const RenderSettings& settings, std::uint64_t samples);
+
 /// What a render cost.
 struct RenderCost {
   std::uint64_t paths = 0;
@@ -21,11 +25,11 @@ struct RenderCost {
 /// Called with the fraction done, in (0,1], from one thread at a time.
 using Progress = std::function<void(double)>;
 
-/// Adds samples `range` of every pixel to the film. A sample is a function of (seed, pixel, sample number), so the
-/// film depends neither on the threads nor on how a range was split. Packets are worked on by the named instructions, or
+/// Adds samples `range` of every pixel to the film: each a draw, or the mean of each set of points where they come in sets, whose samples
+/// depend on each other. A sample is a function of (seed, pixel, sample number), so the film depends neither on the threads nor on how a range was split. Packets are worked on by the named instructions, or
 /// the widest that the machine has: see choose_instructions.
-/// Throws std::invalid_argument for a strategy that does not exist or a path that might not end, std::domain_error
-/// for a sample that is not a radiance.
+/// Throws std::invalid_argument for a strategy that does not exist or a path that might not end, for a scene that packets do not
+/// hold, and for parts of sets; std::domain_error for a sample that is not a radiance.
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions = "");
 

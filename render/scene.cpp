@@ -1,5 +1,8 @@
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
+#include <string>
 
 #include <fairlight/estimators/bsdf.h>
 #include <fairlight/estimators/dielectric.h>
@@ -31,9 +34,30 @@ void require_material(const Material& material) {
   }
 }
 
+std::string text(double x) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.3g", x);
+  return digits.data();
+}
+
+// Beyond this the square of a square, or its inverse, is no number of doubles any more.
+void require_length(double length) {
+  if (!(length >= 1e-50 && length <= 1e50))
+    throw std::invalid_argument("a surface of " + text(length) + " m is not held by doubles (scale the scene)");
+}
+
 void require_radius(const Vec3<double>& place, double radius) {
   if (!(radius > 0 && std::isfinite(radius) && place.allFinite()))
     throw std::invalid_argument("a sphere's radius must be positive and finite, and its place finite (in metres)");
+  require_length(radius);
+}
+
+// A float is known to a part of 6e-8, and its square must be a number too. What is smaller than a part of 1e-6 of its distance from
+// the origin is not where it should be.
+void require_floats(double size, double distance) {
+  if (size >= 1e-9 && size <= 1e9 && distance <= 1e9 && size >= 1e-6 * distance) return;
+  throw std::invalid_argument("a surface of " + text(size) + " m at " + text(distance) +
+                              " m from the origin is not held by floats (give --real double)");
 }
 
 }  // namespace
@@ -64,6 +88,8 @@ void Scene::add_wall(const Vec3<double>& point, const Vec3<double>& outward, dou
 void Scene::add_rectangle(const Vec3<double>& corner, const Vec3<double>& edge_x, const Vec3<double>& edge_y,
                           const Material& material, const Rgb<double>& radiance) {
   static_cast<void>(RectangleLight<double>(corner, edge_x, edge_y));  // it knows what a rectangle is
+  require_length(edge_x.norm());
+  require_length(edge_y.norm());
   if (material.kind == Material::Kind::glass)
     throw std::invalid_argument("a rectangle cannot be of glass (it has no inside; use a sphere)");
   const Vec3<double> middle = corner + (edge_x + edge_y) / 2;
@@ -84,6 +110,22 @@ void Scene::add(const Surface& surface, Luminaire luminaire) {
   luminaire.radiance = surface.radiance;
   surfaces_.push_back(surface);
   if ((surface.radiance > 0).any()) luminaires_.push_back(luminaire);
+}
+
+void require_floats(const Scene& scene) {
+  for (const Surface& surface : scene.surfaces()) {
+    const double distance = surface.shape.anchor.norm();
+    if (surface.rectangle) {
+      require_floats(2 / surface.rectangle->x.norm(), distance);
+      require_floats(2 / surface.rectangle->y.norm(), distance);
+    } else {
+      require_floats(1 / surface.shape.curvature, distance);
+    }
+    for (const double channel : surface.radiance) {
+      if (channel == 0 || (channel >= 1e-18 && channel <= 1e18)) continue;
+      throw std::invalid_argument("a radiance of " + text(channel) + " is not held by floats (give --real double)");
+    }
+  }
 }
 
 }  // namespace fairlight

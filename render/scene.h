@@ -68,7 +68,7 @@ struct Hit {
 /// Spheres and rectangles, some of which emit.
 class Scene {
  public:
-  /// A sphere by centre and radius [m]. Throws std::invalid_argument for a radius that is not positive and finite,
+  /// A sphere by centre and radius [m]. Throws std::invalid_argument for a radius outside [1e-50, 1e50],
   /// an albedo outside [0,1], a material's number outside its domain, or a radiance that is negative or not finite.
   void add_sphere(const Vec3<double>& centre, double radius, const Material& material, const Rgb<double>& radiance);
 
@@ -77,7 +77,7 @@ class Scene {
   void add_wall(const Vec3<double>& point, const Vec3<double>& outward, double radius, const Material& material,
                 const Rgb<double>& radiance);
 
-  /// A rectangle by a corner and the edges from it [m]. Throws as add_sphere, and unless the edges are longer than 0 and
+  /// A rectangle by a corner and the edges from it [m]. Throws as add_sphere, and unless the edges are in [1e-50, 1e50] and
   /// orthogonal; for glass, which is the inside of something.
   void add_rectangle(const Vec3<double>& corner, const Vec3<double>& edge_x, const Vec3<double>& edge_y,
                      const Material& material, const Rgb<double>& radiance);
@@ -91,5 +91,9 @@ class Scene {
   std::vector<Surface> surfaces_;
   std::vector<Luminaire> luminaires_;
 };
+
+/// Throws std::invalid_argument unless floats hold the scene: surfaces from 1e-9 to 1e9 m, and at least a part of 1e-6 of their
+/// distance from the origin; radiances that are 0, or from 1e-18 to 1e18.
+void require_floats(const Scene& scene);
 
 }  // namespace fairlight

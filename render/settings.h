@@ -22,13 +22,15 @@ struct RenderSettings {
   std::string which_light = "one";      ///< all | one | power | contribution
   std::string roulette = "albedo";      ///< albedo | throughput | off
   std::string filter = "tent";          ///< tent | box | gaussian | blackman-harris
-  int max_depth = -1;                   ///< bounces; -1 for no limit
-  double aperture = -1;                 ///< the lens's radius [m], 0 for a pinhole; negative for the scene's own
-  double focus = -1;                    ///< what is seen sharp, along the axis [m]; negative for the scene's own
-  double fov = -1;                      ///< the vertical field of view [degrees]; negative for the scene's own
+  std::string random = "independent";   ///< independent | sobol | stratified
+  std::uint32_t points = 1;  ///< of a set: samples that depend on each other, and make one draw of the film
+  int max_depth = -1;        ///< bounces; -1 for no limit
+  double aperture = -1;      ///< the lens's radius [m], 0 for a pinhole; negative for the scene's own
+  double focus = -1;         ///< what is seen sharp, along the axis [m]; negative for the scene's own
+  double fov = -1;           ///< the vertical field of view [degrees]; negative for the scene's own
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, real, bounce, direct, light_sampling,
-                                   which_light, roulette, filter, max_depth, aperture, focus, fov)
+                                   which_light, roulette, filter, random, points, max_depth, aperture, focus, fov)
 
 /// Samples first .. last - 1 of every pixel.
 struct SampleRange {

@@ -69,8 +69,15 @@ Strategies::Strategies(const RenderSettings& settings, const Scene& scene)
       filter(choose<Filter>("filter", settings.filter, std::pair("tent", Filter::tent),
                             std::pair("box", Filter::box), std::pair("gaussian", Filter::gaussian),
                             std::pair("blackman-harris", Filter::blackman_harris))),
+      random(choose<Random>("kind of random numbers", settings.random,
+                            std::pair("independent", Random::independent), std::pair("sobol", Random::sobol),
+                            std::pair("stratified", Random::stratified))),
+      points(SetsOfPoints(settings.points).size()),
       max_depth(settings.max_depth) {
   check_ends(*this);
+  if (random == Random::independent && points != 1)
+    throw std::invalid_argument(
+        "independent numbers come in no sets of points (give --random sobol or stratified)");
   check_lights(*this, settings.light_sampling, scene);
 }
 

@@ -3,6 +3,8 @@
 #include <fairlight/estimators/blackman_harris_filter.h>
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/estimators/padded_sobol.h>
+#include <fairlight/estimators/padded_strata.h>
 #include <fairlight/render/path_tracer.h>
 #include <fairlight/render/settings.h>
 
@@ -17,6 +19,7 @@ struct Strategies {
   enum class WhichLight { all, one, power, contribution };
   enum class Roulette { albedo, throughput, off };
   enum class Filter { tent, box, gaussian, blackman_harris };
+  enum class Random { independent, sobol, stratified };
 
   /// Throws std::invalid_argument for a strategy that does not exist, for one that the scene does not admit, and for paths that
   /// might not end or whose variance is infinite.
@@ -28,6 +31,8 @@ struct Strategies {
   WhichLight which_light;
   Roulette roulette;
   Filter filter;
+  Random random;
+  std::uint32_t points;
   int max_depth;
 };
 
@@ -216,6 +221,35 @@ class ChosenFilter {
   BoxFilter<Real> box_;
   GaussianFilter<Real> gaussian_{Real(0.5f), Real(1.5f)};
   BlackmanHarrisFilter<Real> blackman_harris_{Real(2)};
+};
+
+/// Where random numbers come from.
+class ChosenNumbers {
+ public:
+  ChosenNumbers(const Strategies& strategies, const StreamKey& key)
+      : random_(strategies.random),
+        independent_(key),
+        sobol_(key, strategies.points),
+        strata_(key, strategies.points) {}
+
+  template <class Real>
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+    if (random_ == Strategies::Random::independent) [[likely]]
+      return independent_.block(at, b);
+    return block_of_set(at, b);
+  }
+
+ private:
+  /// Called, not inlined, so that independent numbers are as fast as if there were no others.
+  template <class Real>
+  [[gnu::noinline, gnu::flatten]] Five<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b) const {
+    return random_ == Strategies::Random::sobol ? sobol_.block(at, b) : strata_.block(at, b);
+  }
+
+  Strategies::Random random_;
+  IndependentNumbers independent_;
+  PaddedSobol sobol_;
+  PaddedStrata strata_;
 };
 
 /// The path tracer that the strategies make.

@@ -5,25 +5,32 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
-#include <fairlight/estimators/stream.h>
+#include <fairlight/estimators/vertex_source.h>
 #include <fairlight/render/tile_renderer.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FAIRLIGHT_FLATTEN  // a sanitizer's checks, all in one function, take a compiler a quarter of an hour
+#else
+#define FAIRLIGHT_FLATTEN [[gnu::flatten]]
+#endif
 
 namespace fairlight {
 
-/// The numbers of vertices of paths, one path a lane: of its pixel, its sample and its vertex, whatever lane it is in.
-inline PhiloxStream<double> numbers_of(std::type_identity<double>, const StreamKey& key,
-                                       const std::array<std::uint32_t, 1>& pixels,
-                                       const std::array<std::uint32_t, 1>& samples,
-                                       const std::array<std::uint32_t, 1>& vertices) {
-  return {key, pixels[0], vertex_sample(samples[0], vertices[0])};
-}
-template <class A>
-PhiloxStream<xsimd::batch<float, A>> numbers_of(std::type_identity<xsimd::batch<float, A>>, const StreamKey& key,
-                                                const auto& pixels, const auto& samples, const auto& vertices) {
-  using Word = xsimd::batch<std::uint32_t, A>;
-  return {key, Word::load_unaligned(pixels.data()), Word::load_unaligned(samples.data()),
-          Word::load_unaligned(vertices.data())};
+/// The means of sets of n samples, each one draw of a film. A sample that is no radiance stands for its set, so that the film refuses it.
+template <class Number>
+std::vector<double> set_means(std::span<const Number> samples, std::uint32_t n) {
+  std::vector<double> means;
+  for (std::size_t first = 0; first < samples.size(); first += n) {
+    double sum = 0;
+    for (const Number sample : samples.subspan(first, n)) {
+      sum += static_cast<double>(sample);
+      if (!(sample >= 0)) sum = -infinity<double>;
+    }
+    means.push_back(sum / n);
+  }
+  return means;
 }
 
 /// A tile's samples are jobs, as many as there are lanes are on their way at once, and a lane whose path has ended takes
@@ -36,12 +43,14 @@ class TileTracer : public TileRenderer {
         camera_(settings.camera),
         filter_(settings.strategies.filter),
         tracer_(chosen_tracer<Real>(settings.strategies, settings.scene)),
-        key_(settings.key),
+        numbers_(settings.strategies, settings.key),
+        points_(settings.strategies.points),
         width_(settings.width),
         height_(settings.height) {}
 
   std::uint64_t render(const Tile& tile, SampleRange range, Film& film) const override {
     const CountedScene<Real> scene(scene_);
+    const std::uint64_t at_once = std::max(held, points_);
     for (std::uint64_t first = range.first; first < range.last; first += at_once) {
       const auto n = static_cast<std::uint32_t>(std::min<std::uint64_t>(at_once, range.last - first));
       Run run(*this, tile, static_cast<std::uint32_t>(first), n);
@@ -56,13 +65,20 @@ class TileTracer : public TileRenderer {
   using Words = std::array<std::uint32_t, lanes<Real>>;
   using Numbers = std::array<Number, lanes<Real>>;
   static constexpr std::uint32_t everyone = static_cast<std::uint32_t>((std::uint64_t{1} << lanes<Real>)-1);
-  static constexpr std::uint32_t at_once = 64;  ///< samples of a pixel that are held until they are added
+  static constexpr std::uint32_t held = 64;  ///< samples of a pixel until they are added; more if a set has more
 
   static Real loaded(const Numbers& numbers) {
     if constexpr (lanes<Real> == 1) {
       return numbers[0];
     } else {
       return Real::load_unaligned(numbers.data());
+    }
+  }
+  static Word<Real> loaded(const Words& words) {
+    if constexpr (lanes<Real> == 1) {
+      return words[0];
+    } else {
+      return Word<Real>::load_unaligned(words.data());
     }
   }
   static Numbers stored(const Real& x) {
@@ -87,13 +103,13 @@ class TileTracer : public TileRenderer {
       for (auto& channel : radiance_) channel = std::make_unique_for_overwrite<Number[]>(jobs_);
     }
 
-    /// A vertex at a time, of all paths that are on their way; lanes are given jobs when a quarter of them have none.
+    /// A vertex at a time, of all paths that are on their way; lanes are given jobs when an eighth of them have none.
     void trace(const CountedScene<Real>& scene) {
       Path<Real> path{{Vec3<Real>(Real(0), Real(0), Real(0)), Vec3<Real>(Real(0), Real(0), Real(1)), Real(-1)}};
       Mask<Real> alive(false);
       std::uint32_t idle = everyone;
       while (true) {
-        const bool enough = 4 * static_cast<std::size_t>(std::popcount(idle)) >= lanes<Real>;
+        const bool enough = 8 * static_cast<std::size_t>(std::popcount(idle)) >= lanes<Real>;
         if (enough && next_ < jobs_) idle = start(path, alive, idle);
         if (idle == everyone) return;
         alive = advance(scene, path, alive);
@@ -106,34 +122,50 @@ class TileTracer : public TileRenderer {
     void add_pixel(int pixel, Film& film) const {
       const auto begin = static_cast<std::size_t>(pixel) * samples_;
       const auto of = [&](std::size_t c) { return std::span<const Number>(&radiance_[c][begin], samples_); };
-      film.add(tile_.left + pixel % tile_.width(), tile_.top + pixel / tile_.width(),
-               std::array{of(0), of(1), of(2)});
+      const int x = tile_.left + pixel % tile_.width();
+      const int y = tile_.top + pixel / tile_.width();
+      if (by_.points_ == 1) return film.add(x, y, std::array{of(0), of(1), of(2)});
+      const std::array means{set_means(of(0), by_.points_), set_means(of(1), by_.points_),
+                             set_means(of(2), by_.points_)};
+      film.add(x, y, std::array<std::span<const double>, 3>{means[0], means[1], means[2]});
     }
 
    private:
     /// A vertex of all paths. Flattened: hundreds of small functions about packets, of which a compiler leaves some uninlined.
-    [[gnu::flatten]] Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
-                                        const Mask<Real>& alive) {
-      auto source = numbers_of(std::type_identity<Real>{}, by_.key_, pixel_, sample_, vertex_);
+    FAIRLIGHT_FLATTEN Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
+                                         const Mask<Real>& alive) {
+      VertexSource<Real, ChosenNumbers> source(by_.numbers_, {loaded(pixel_), loaded(sample_), loaded(vertex_)});
       for (auto& vertex : vertex_) ++vertex;
       return by_.tracer_.advance(scene, path, source, alive);
     }
 
+    /// The next jobs and their rays, a packet of them made at once: few lanes end together, and a camera's ray is as long in the
+    /// making for one as for all.
+    struct Ready {
+      Words job{}, pixel{}, sample{};
+      std::array<Numbers, 6> ray{};    ///< origin and direction
+      std::size_t next = lanes<Real>;  ///< the first that no lane has taken
+    };
+
     /// Gives jobs to idle lanes, and returns those that are still idle.
-    [[gnu::flatten]] std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
+    FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
       Numbers fresh{};
+      std::array<Numbers, 6> rays{};
       for (std::uint32_t rest = idle; rest != 0 && next_ < jobs_; rest &= rest - 1) {
+        if (ready_.next == lanes<Real>) make_ready();
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        take_job(lane);
+        for (std::size_t i = 0; i < rays.size(); ++i) rays[i][lane] = ready_.ray[i][ready_.next];
+        take_job(lane, ready_.next++);
         fresh[lane] = Number(1);
         idle &= ~(1u << lane);
+        ++next_;
       }
-      auto source = numbers_of(std::type_identity<Real>{}, by_.key_, pixel_, sample_, Words{});
-      const Vec2<Real> middle(loaded(middle_x_), loaded(middle_y_));
-      const Ray<Real> ray = pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
       const Mask<Real> starts = loaded(fresh) > Real(0);
-      path.ray = {select(starts, ray.origin, path.ray.origin), select(starts, ray.direction, path.ray.direction),
-                  select(starts, ray.leaving, path.ray.leaving)};
+      const auto vector = [&](std::size_t i) {
+        return Vec3<Real>(loaded(rays[i]), loaded(rays[i + 1]), loaded(rays[i + 2]));
+      };
+      path.ray = {select(starts, vector(0), path.ray.origin), select(starts, vector(3), path.ray.direction),
+                  select(starts, Real(-1), path.ray.leaving)};
       path.throughput = select(starts, Rgb<Real>(Rgb<Real>::Constant(Real(1))), path.throughput);
       path.radiance = select(starts, zero<Rgb<Real>>(), path.radiance);
       path.density = select(starts, Real(0), path.density);
@@ -142,18 +174,36 @@ class TileTracer : public TileRenderer {
       return idle;
     }
 
-    void take_job(std::size_t lane) {
-      const std::uint32_t job = next_++;
-      const auto pixel = static_cast<int>(job / samples_);
-      const int x = tile_.left + pixel % tile_.width();
-      const int y = tile_.top + pixel / tile_.width();
-      job_[lane] = job;
-      pixel_[lane] =
-          static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(by_.width_) + static_cast<std::uint32_t>(x);
-      sample_[lane] = first_sample_ + job % samples_;
+    void take_job(std::size_t lane, std::size_t i) {
+      job_[lane] = ready_.job[i];
+      pixel_[lane] = ready_.pixel[i];
+      sample_[lane] = ready_.sample[i];
       vertex_[lane] = 1;  // vertex 0 is the camera
-      middle_x_[lane] = static_cast<Number>(x) + Number(0.5);
-      middle_y_[lane] = static_cast<Number>(y) + Number(0.5);
+    }
+
+    FAIRLIGHT_FLATTEN void make_ready() {
+      Numbers middle_x{}, middle_y{};
+      for (std::size_t i = 0; i < lanes<Real>; ++i) {
+        const std::uint32_t job = std::min(next_ + static_cast<std::uint32_t>(i), jobs_ - 1);
+        const auto pixel = static_cast<int>(job / samples_);
+        const int x = tile_.left + pixel % tile_.width();
+        const int y = tile_.top + pixel / tile_.width();
+        ready_.job[i] = job;
+        ready_.pixel[i] =
+            static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(by_.width_) + static_cast<std::uint32_t>(x);
+        ready_.sample[i] = first_sample_ + job % samples_;
+        middle_x[i] = static_cast<Number>(x) + Number(0.5);
+        middle_y[i] = static_cast<Number>(y) + Number(0.5);
+      }
+      VertexSource<Real, ChosenNumbers> source(by_.numbers_,
+                                               {loaded(ready_.pixel), loaded(ready_.sample), Word<Real>(0u)});
+      const Vec2<Real> middle(loaded(middle_x), loaded(middle_y));
+      const Ray<Real> ray = pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
+      for (std::size_t i = 0; i < 3; ++i) {
+        ready_.ray[i] = stored(ray.origin[static_cast<Eigen::Index>(i)]);
+        ready_.ray[i + 3] = stored(ray.direction[static_cast<Eigen::Index>(i)]);
+      }
+      ready_.next = 0;
     }
 
     void finish(const Path<Real>& path, std::uint32_t ended) {
@@ -170,8 +220,8 @@ class TileTracer : public TileRenderer {
     Tile tile_;
     std::uint32_t first_sample_, samples_;  ///< of every pixel
     std::uint32_t next_ = 0, jobs_;
+    Ready ready_;
     Words job_{}, pixel_{}, sample_{}, vertex_{};        ///< of each lane
-    Numbers middle_x_{}, middle_y_{};                    ///< of its pixel
     std::array<std::unique_ptr<Number[]>, 3> radiance_;  ///< of the jobs, per channel
   };
 
@@ -179,7 +229,8 @@ class TileTracer : public TileRenderer {
   Camera camera_;
   ChosenFilter<Real> filter_;
   PathTracer<ChosenBounces, ChosenDirect<Real>, ChosenRoulette> tracer_;
-  StreamKey key_;
+  ChosenNumbers numbers_;
+  std::uint32_t points_;  ///< of a set
   int width_, height_;
 };
 

@@ -6,6 +6,8 @@
 #include <support/temporary_folder.h>
 #include <sys/wait.h>
 
+#include <fairlight/render/instruction_sets.h>
+
 // The program as a person meets it: exit status, one sentence on standard error, nothing half-written.
 namespace fairlight {
 namespace {
@@ -68,8 +70,14 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("render cornell-simple --spp 1 --width 0 -o a.exr", "width");
   expect_bad_input("render cornell-simple --spp 1 --height -5 -o a.exr", "height");
   expect_bad_input(small + "--spp 1 --threads 0 -o a.exr", "threads");
+  expect_bad_input(small + "--spp 1 --instructions mmx -o a.exr", "mmx");
   expect_bad_input(small + "--spp 1 --max-depth -1 -o a.exr", "max-depth");
   expect_bad_input(small + "--spp 1 --roulette off -o a.exr", "--max-depth");
+  expect_bad_input(small + "--spp 16 --random halton -o a.exr", "stratified");
+  expect_bad_input(small + "--spp 20 --random sobol -o a.exr", "16 or 32");
+  expect_bad_input(small + "--spp 12 --random sobol --points 12 -o a.exr", "power of two");
+  expect_bad_input(small + "--spp 16 --points 16 -o a.exr", "--random");
+  expect_bad_input(small + "--spp 32 --random sobol --shard 1/3 -o a.exr", "sets");
   expect_bad_input(small + "--spp 1 --shard 3/2 -o a.exr", "3/2");
   expect_bad_input(small + "--spp 1 --shard 1/2 -o a.exr", "empty");
   expect_bad_input("render cornell-simple --spp 1 --seed xyz -o a.exr", "xyz");
@@ -93,6 +101,17 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("ledger", "show");
   expect_bad_input("ledger show none", "none");
   expect_bad_input("ledger merge none -o a", "none");
+  expect_bad_input("verify pick --seed 12345678901234567", "12345678901234567");
+  expect_bad_input("verify importance --margin 1e-6", "cannot be tested on these terms");
+  expect_bad_input("verify pick --seconds 0", "seconds");
+  expect_bad_input("verify pick --seconds -1", "seconds");
+  expect_bad_input("verify pick --seconds soon", "seconds");
+  expect_bad_input("verify pick --artifacts missing/folder", "missing/folder");
+  expect_bad_input("verify pick --artifacts /dev/null", "/dev/null");
+  expect_bad_input("verify pick --artifacts /proc/folder", "/proc/folder");
+  expect_bad_input("verify pick --report missing/a.md", "missing/a.md");
+  expect_bad_input("verify pick --report a.md --json ./a.md", "same file");
+  expect_bad_input("verify pick --report .", "cannot write");
   expect_bad_input("audit faults --seeds 0", "seeds");
 }
 
@@ -119,6 +138,18 @@ TEST(Program, RendersTheSameBytesForAnyThreads) {
   EXPECT_EQ(one, read_file(folder / "7.exr"));
 }
 
+// By every instruction set of this machine, with more threads than cores and than tiles.
+TEST(Program, RendersOnePixel) {
+  const TemporaryFolder folder;
+  for (const InstructionSet& set : instruction_sets()) {
+    if (!set.runs_here) continue;
+    const Result run = fairlight(
+        "render cornell-simple --width 1 --height 1 --spp 2 --threads 500 -o a.exr --instructions " + set.name,
+        folder);
+    EXPECT_EQ(run.status, 0) << run.error;
+  }
+}
+
 TEST(Program, ResumesAndMergesToTheBytesOfOneRender) {
   const TemporaryFolder folder;
   fairlight(small + "--spp 7 -o whole.exr", folder);
@@ -129,6 +160,21 @@ TEST(Program, ResumesAndMergesToTheBytesOfOneRender) {
       0);
   for (const char* i : {"1", "2", "3"})
     fairlight(small + "--spp 7 --shard " + i + "/3 -o shard" + i + ".exr", folder);
+  EXPECT_EQ(fairlight("merge shard2.exr shard1.exr shard3.exr -o merged.exr", folder).status, 0);
+  const std::string whole = read_file(folder / "whole.exr");
+  EXPECT_GT(whole.size(), 1000u);
+  EXPECT_EQ(whole, read_file(folder / "resumed.exr"));
+  EXPECT_EQ(whole, read_file(folder / "merged.exr"));
+}
+
+TEST(Program, ResumesAndMergesWholeSetsToTheBytesOfOneRender) {
+  const TemporaryFolder folder;
+  const std::string sets = small + "--random sobol --points 4 ";
+  fairlight(sets + "--spp 28 -o whole.exr", folder);
+  fairlight(sets + "--spp 12 -o start.exr", folder);
+  EXPECT_EQ(fairlight(sets + "--spp 16 --resume start.exr -o resumed.exr", folder).status, 0);
+  for (const char* i : {"1", "2", "3"})
+    fairlight(sets + "--spp 28 --shard " + i + "/3 -o shard" + i + ".exr", folder);
   EXPECT_EQ(fairlight("merge shard2.exr shard1.exr shard3.exr -o merged.exr", folder).status, 0);
   const std::string whole = read_file(folder / "whole.exr");
   EXPECT_GT(whole.size(), 1000u);
@@ -240,6 +286,35 @@ TEST(Program, VerifiesWhatAChangeTouches) {
   if (run.status == 2) GTEST_SKIP() << run.error;  // sources without their repository
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.out.find(" claims rest on sources that differ from HEAD"), std::string::npos) << run.out;
+}
+
+TEST(Program, LeavesUndecidedWhatItHasNoTimeFor) {
+  const TemporaryFolder folder;
+  const Result run = fairlight("verify pick importance --margin 3e-5 --seconds 0.5 --json a.json", folder);
+  EXPECT_EQ(run.status, 3) << run.out;
+  EXPECT_EQ(run.error, "") << "no progress bar in a pipe";
+  EXPECT_NE(run.out.find("time was up"), std::string::npos) << run.out;
+  const auto json = nlohmann::json::parse(read_file(folder / "a.json"));
+  EXPECT_EQ(json["verdict"], "undecided");
+  EXPECT_LT(json["seconds"], 60);
+}
+
+TEST(Program, KeepsWhatItSawAndWritesAPageWithItsPictures) {
+  const TemporaryFolder folder;
+  const std::string arguments = "verify hemisphere.cosine.law pick.one.dice --margin 0.05 --report page.md";
+  ASSERT_EQ(fairlight(arguments, folder).status, 0);
+  for (const char* file : {"hemisphere.cosine.law/cells.csv", "hemisphere.cosine.law/cells.exr",
+                           "hemisphere.cosine.law/p_map.png", "hemisphere.cosine.law/histogram.png",
+                           "pick.one.dice/wealth.csv", "pick.one.dice/finding.json", "intervals.png"}) {
+    EXPECT_FALSE(read_file(folder / (std::string("page_artifacts/") + file)).empty()) << file;
+  }
+  const std::string page = read_file(folder / "page.md");
+  EXPECT_NE(page.find("(page_artifacts/hemisphere.cosine.law/p_map.png)"), std::string::npos) << page;
+  EXPECT_EQ(folder.files(), 2);
+  ASSERT_EQ(fairlight("verify pick.one --margin 0.05 --artifacts kept", folder).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "kept/intervals.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "kept/pick.one.dice"))
+      << "it did not fail, and was not named in full";
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -72,16 +74,19 @@ std::vector<Reference> rounded_references(std::vector<Reference> references) {
 template <class Real = double, class Draw>
 Finding check_mean(const Trial& trial, const std::vector<Reference>& references, const Draw& draw) {
   const StreamKey key(trial.seed, trial.claim);
+  // Where the range is wide the test asks for single draws: a packet then serves as many of its blocks as it has lanes.
+  std::vector<std::array<double, lanes<Real>>> packet(references.size());
+  std::uint64_t made = std::numeric_limits<std::uint64_t>::max();
   const auto draw_block = [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-    const std::size_t n = channels[0].size();
-    for (std::size_t i = 0; i < n; i += lanes<Real>) {
-      PhiloxStream<Real> source(key, 0, first + i);
-      const auto x = draw(source);
-      for (std::size_t c = 0; c < channels.size(); ++c) {
-        std::array<double, lanes<Real>> values{};
-        store_lanes(detail::channel_of(x, c), values.data());
-        std::copy_n(values.begin(), std::min(lanes<Real>, n - i), channels[c].begin() + static_cast<long>(i));
+    for (std::size_t i = 0; i < channels[0].size(); ++i) {
+      const std::uint64_t number = (first + i) / lanes<Real>;
+      if (number != made) {
+        made = number;
+        PhiloxStream<Real> source(key, 0, lanes<Real> * number);
+        const auto x = draw(source);
+        for (std::size_t c = 0; c < channels.size(); ++c) store_lanes(detail::channel_of(x, c), packet[c].data());
       }
+      for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = packet[c][(first + i) % lanes<Real>];
     }
   };
   return test_means(trial, rounded_references<Real>(references), draw_block);
@@ -97,24 +102,49 @@ inline std::uint32_t points_for(const std::vector<Reference>& references) {
   return std::ranges::any_of(references, wide) ? points_a_replicate / 4 : points_a_replicate;
 }
 
-/// The mean of an estimator over the points of one replicate of a set.
+namespace detail {
+
+/// The sum of a number's lanes, or of each of a colour's channels, in double.
+template <class Value>
+auto sum_of_lanes(const Value& x) {
+  const auto sum = [](const auto& channel) {
+    std::array<double, lanes<std::remove_cvref_t<decltype(channel)>>> values{};
+    store_lanes(channel, values.data());
+    return std::accumulate(values.begin(), values.end(), 0.0);
+  };
+  if constexpr (requires { x.rows(); }) {
+    return Rgb<double>(sum(x[0]), sum(x[1]), sum(x[2]));
+  } else {
+    return sum(x);
+  }
+}
+
+}  // namespace detail
+
+/// The mean of an estimator over the points of one replicate of a set, which must fill whole packets (else
+/// std::invalid_argument).
 template <PointSet Set, class Draw>
 auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
+  constexpr auto at_once = static_cast<std::uint32_t>(lanes<typename Set::Scalar>);
   if (replicate >> 32 != 0) throw std::length_error("replicates have run out (there are 2^32 of one key)");
+  if (n % at_once != 0)
+    throw std::invalid_argument("a replicate must fill whole packets (give a multiple of lanes)");
   const Set set(key, static_cast<std::uint32_t>(replicate), n);
   auto source = set.source(0);
   auto total = draw(source);
-  for (std::uint32_t i = 1; i < n; ++i) {
+  for (std::uint32_t i = at_once; i < n; i += at_once) {
     auto next = set.source(i);
     total += draw(next);
   }
-  return decltype(total)(total / static_cast<double>(n));
+  const auto sum = detail::sum_of_lanes(total);
+  return decltype(detail::sum_of_lanes(total))(sum / static_cast<double>(n));
 }
 
-/// The mean of an estimator from a point set, in double: whole replicates are the draws of the core test. Their
+/// The mean of an estimator from a point set, in its arithmetic: whole replicates are the draws of the core test. Their
 /// range is that of the estimator, but for the n roundings of the sum.
 template <PointSet Set, class Draw>
 Finding check_replicates(const Trial& trial, std::vector<Reference> references, const Draw& draw, std::uint32_t n) {
+  references = rounded_references<typename Set::Scalar>(references);
   for (Reference& r : references) {
     const double slack = n * ulp<double> * std::max(std::abs(r.lower), std::abs(r.upper));
     r.lower -= r.lower == 0 ? 0 : slack;

@@ -58,28 +58,31 @@ Claim mean_claim(const Experiment<Draw>& e) {
 template <template <class> class Set>
 struct PointSetKind {
   std::string suffix, subject;
+  std::string source = "PointSource";
 };
 inline const PointSetKind<OwenSobol> sobol_points{"sobol", "OwenSobol"};
 inline const PointSetKind<Stratified> stratified_points{"stratified", "Stratified"};
 inline const PointSetKind<LatinHypercube> latin_points{"latin", "LatinHypercube"};
 
-/// The row for the mean of an experiment from the points of a set, by replicates. Its margin is twice that from
+/// The row for the mean of an experiment from the points of a set, in packets, by replicates. Its margin is twice that from
 /// independent numbers, or as said: what a set can do wrong, it does grossly.
 template <template <class> class Set, class Draw>
 Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& points, double margin_factor = 2) {
   std::vector<std::string> subjects = e.subjects;
-  subjects.insert(subjects.end(), {points.subject, "PointSource"});
+  subjects.insert(subjects.end(), {points.subject, points.source});
   return {.name = e.name + "." + points.suffix,
           .kind = "mean",
           .subjects = subjects,
           .statement = e.statement + ", over the points of a replicate",
           .source = e.source,
           .margin_factor = margin_factor * e.margin_factor,
-          .check = [e](const Trial& trial) {
-            return check_replicates<Set<double>>(
-                trial, e.references, [&](auto& source) { return e.draw(std::type_identity<double>{}, source); },
-                points_for(e.references));
-          }};
+          .check =
+              [e](const Trial& trial) {
+                return check_replicates<Set<Packet>>(
+                    trial, e.references, [&](auto& source) { return e.draw(std::type_identity<Packet>{}, source); },
+                    points_for(e.references));
+              },
+          .real = real_name<Packet>()};
 }
 
 /// From independent numbers, in double and in packets.

@@ -72,12 +72,6 @@ Claim density_claim(const LawExperiment<Make, Domain>& e) {
           .real = "packet"};
 }
 
-/// Those that a wrong sampler must fail, whatever else it is tried on.
-template <class Make, class Domain>
-std::vector<Claim> claims_of_draws(const LawExperiment<Make, Domain>& e) {
-  return {law_claim(e), law_moments_claim<double>(e), law_moments_claim<Packet>(e)};
-}
-
 /// The mean coordinates of a law over its domain's square, of s, t and s t, by quadrature.
 template <class Law, class Domain>
 std::vector<Reference> mean_coordinates(const Law& law, const Domain& domain) {
@@ -99,7 +93,7 @@ template <template <class> class Set, class Make, class Domain>
 Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetKind<Set>& points) {
   return {.name = e.name + ".coordinates." + points.suffix,
           .kind = "mean",
-          .subjects = {e.subject, points.subject, "PointSource"},
+          .subjects = {e.subject, points.subject, points.source},
           .statement = "over the points of a replicate, the draws have the mean coordinates of the stated density",
           .source = e.source,
           .margin_factor = 2,

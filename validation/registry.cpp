@@ -1,15 +1,35 @@
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include <fnmatch.h>
 
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/registry.h>
+
+#if defined(FAIRLIGHT_WIDE_CLAIMS)
+extern "C" {
+void fairlight_packet_claims_avx2(std::vector<fairlight::Claim>&);
+void fairlight_packet_claims_avx512(std::vector<fairlight::Claim>&);
+}
+#endif
 
 namespace fairlight {
 namespace {
 
-std::vector<Claim> build() {
+std::vector<Claim> build(const std::string& instructions) {
   std::vector<Claim> claims;
+#if defined(FAIRLIGHT_WIDE_CLAIMS)
+  if (instructions == "avx512") {
+    fairlight_packet_claims_avx512(claims);
+    return claims;
+  }
+  if (instructions == "avx2") {
+    fairlight_packet_claims_avx2(claims);
+    return claims;
+  }
+#endif
   add_claims(claims);
   return claims;
 }
@@ -20,27 +40,32 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 }  // namespace
 
-const std::vector<Claim>& registry() {
-  static const std::vector<Claim> claims = build();
-  return claims;
+const std::vector<Claim>& registry(const std::string& instructions) {
+  static std::mutex mutex;
+  static std::map<std::string, std::vector<Claim>> registries;
+  const std::string& set = choose_instructions(instructions).name;
+  const std::lock_guard lock(mutex);
+  if (!registries.contains(set)) registries.emplace(set, build(set));
+  return registries.at(set);
 }
 
-std::vector<const Claim*> select_claims(const std::vector<std::string>& patterns) {
-  std::vector<bool> chosen(registry().size(), patterns.empty());
+std::vector<const Claim*> select_claims(const std::vector<std::string>& patterns, const std::string& instructions) {
+  const std::vector<Claim>& all = registry(instructions);
+  std::vector<bool> chosen(all.size(), patterns.empty());
   for (const std::string& pattern : patterns) {
     bool found = false;
-    for (std::size_t i = 0; i < registry().size(); ++i) {
-      if (!matches(pattern, registry()[i].name)) continue;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!matches(pattern, all[i].name)) continue;
       chosen[i] = found = true;
     }
     if (found) continue;
     std::string known;
-    for (const Claim& claim : registry()) known += " " + claim.name;
+    for (const Claim& claim : all) known += " " + claim.name;
     throw std::invalid_argument("no claim matches \"" + pattern + "\" (there are:" + known + ")");
   }
   std::vector<const Claim*> claims;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (chosen[i]) claims.push_back(&registry()[i]);
+    if (chosen[i]) claims.push_back(&all[i]);
   }
   return claims;
 }

@@ -10,13 +10,25 @@
 
 namespace fairlight {
 
-/// The command that runs one claim again, draw for draw.
-std::string replay(const std::string& claim, const Conformance& conformance);
+/// The command that runs a claim again, or several with spaces between them, draw for draw; all for no name.
+std::string replay(const std::string& claims, const Conformance& conformance);
 
-/// A table of claims, the worst verdict first, and how to replay those that failed.
-void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const Conformance& conformance);
+/// The outcomes with the worst verdict first, else in their order.
+std::vector<Outcome> worst_first(std::vector<Outcome> outcomes);
 
-/// The same as JSON: {version, seed, budget, seconds, verdict, claims: [...]}.
+/// Which rows a table has.
+enum class Rows {
+  grouped,  ///< a row a failure, with why and how to replay it; and where the others are many, a row for those of one first name
+  all,      ///< a row a claim
+};
+
+/// A table of claims, the worst verdict first. On a terminal, verdicts are coloured.
+void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const Conformance& conformance,
+                    Rows rows = Rows::grouped);
+
+/// One outcome as JSON, and all: {version, seed, budget, seconds, verdict, claims: [...]}. An end of an interval that is not known is
+/// null.
+nlohmann::json outcome_json(const Outcome& outcome, const Conformance& conformance);
 nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds);
 
 }  // namespace fairlight

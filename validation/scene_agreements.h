@@ -2,6 +2,7 @@
 
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
+#include <fairlight/validation/padded_sets.h>
 #include <fairlight/validation/radiance.h>
 
 namespace fairlight {
@@ -43,6 +44,135 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
                     comparison.margin_factor,
                     {{0, -comparison.largest, comparison.largest, comparison.tail_slack, comparison.mean}},
                     draw};
+}
+
+/// The numbers of a packet's stream, kept, so that each lane can be followed once more, alone and in double.
+class Recording {
+ public:
+  explicit Recording(PhiloxStream<Packet>& stream) : stream_(stream) {}
+
+  struct Lanes {
+    Packet next() { return recording.number(dimension++); }
+    Recording& recording;
+    std::size_t dimension = 0;
+  };
+  struct Lane {
+    double next() { return detail::lane_of(recording.number(dimension++), lane); }
+    Recording& recording;
+    std::size_t lane;
+    std::size_t dimension = 0;
+  };
+
+ private:
+  const Packet& number(std::size_t dimension) {
+    while (numbers_.size() <= dimension) numbers_.push_back(stream_.next());
+    return numbers_[dimension];
+  }
+  PhiloxStream<Packet>& stream_;
+  std::vector<Packet> numbers_;
+};
+
+/// A square of a picture, of which (0,0) is the upper left corner and (1,1) the lower right one.
+struct PictureSquare {
+  double left = 0, top = 0, side = 1;
+};
+
+/// Around the light of cornell-simple as its camera sees it: where it is a pixel's width inside.
+inline constexpr PictureSquare around_the_light_of_cornell_simple{0.48, 0.2775, 0.04};
+
+/// What packets of floats add to a picture or take from it: the same paths in packets and, lane by lane from the same numbers,
+/// in double. They part only where a float is rounded across an edge. `part(type_identity<Real>, ray, source)` gives what is
+/// compared along a ray of the view's camera, a grey number of at most `largest`, and 0 outside of the square; the margin is
+/// relative to `mean`, of the whole picture.
+template <class Part>
+Claim floats_against_double(const std::string& name, const View& view, double largest, double mean, Part part,
+                            const PictureSquare& square = {}) {
+  const auto along_a_ray = [camera = view.camera, part, square](auto real, auto source) {
+    using Real = typename decltype(real)::type;
+    const Vec2<Real> place = next_pair<Real>(source);
+    const Real x = rounded<Real>(square.left) + rounded<Real>(square.side) * place.x();
+    const Real y = rounded<Real>(square.top) + rounded<Real>(square.side) * place.y();
+    return part(real, camera.template ray<Real>(x, y, 1, 1, source), source);
+  };
+  const auto difference = [along_a_ray, square](PhiloxStream<Packet>& stream) {
+    Recording recording(stream);
+    const Packet in_floats = along_a_ray(std::type_identity<Packet>{}, Recording::Lanes{recording});
+    std::array<double, lanes<Packet>> differences{};
+    store_lanes(in_floats, differences.data());
+    for (std::size_t i = 0; i < lanes<Packet>; ++i) {
+      differences[i] -= along_a_ray(std::type_identity<double>{}, Recording::Lane{recording, i});
+      differences[i] *= square.side * square.side;
+    }
+    Packet result;
+    load_lanes(differences.data(), result);
+    return result;
+  };
+  largest *= square.side * square.side;
+  return {.name = name,
+          .kind = "agreement",
+          .subjects = {"PathTracer"},
+          .statement = "the mean of the picture in packets of floats is that in double, path by path",
+          .source = "the same integral",
+          .margin_factor = 1,
+          .check =
+              [=](const Trial& trial) {
+                return check_mean<Packet>(trial, {{0, -largest, largest, 0, mean}}, difference);
+              },
+          .real = "packet"};
+}
+
+/// The mean of a whole picture by the numbers of sets, which must be that by independent ones: paths from the points of a set, as places
+/// on the image, followed from vertex to vertex by the set's numbers and by independent ones. Whole sets are the draws.
+template <class Real, class Numbers>
+Claim sets_agree(const std::string& name, std::vector<std::string> subjects, const SceneComparison& comparison,
+                 RenderSettings settings, std::uint32_t n = 4) {
+  settings.scene = comparison.scene;
+  settings.max_depth = comparison.max_depth;
+  subjects.insert(subjects.end(), {"VertexSource", "IndependentNumbers", "PathTracer"});
+  return {.name = name + real_suffix<Real>(),
+          .kind = "mean",
+          .subjects = std::move(subjects),
+          .statement = "the mean of the picture of " + comparison.scene + " is the same by sets of " +
+                       std::to_string(n) + " points as by independent numbers",
+          .source = "the same integral",
+          .margin_factor = comparison.margin_factor,
+          .check =
+              [=](const Trial& trial) {
+                const View view = view_of(settings);
+                const TracedScene<Real> scene(view.scene);
+                const auto tracer = chosen_tracer<Real>(Strategies(settings, view.scene), view.scene);
+                const IndependentNumbers independent(StreamKey(trial.seed, trial.claim + " independent"));
+                const auto follow = [&](Path<Real> path, const auto& numbers) {
+                  Mask<Real> alive(true);
+                  for (std::uint32_t vertex = 1; any(alive); ++vertex) {
+                    auto source = numbers.at(vertex);
+                    alive = tracer.advance(scene, path, source, alive);
+                  }
+                  return path.radiance;
+                };
+                const Reference reference{0, -comparison.largest, comparison.largest, comparison.tail_slack,
+                                          comparison.mean};
+                return check_sets<Real, Numbers>(trial, {reference}, n, [&](const auto& numbers) {
+                  auto camera = numbers.at(0);
+                  const Vec2<Real> place = next_pair<Real>(camera);
+                  const Path<Real> path{view.camera.template ray<Real>(place.x(), place.y(), 1, 1, camera)};
+                  const PathNumbers<Real, IndependentNumbers> others{independent, numbers.pixel, numbers.sample};
+                  const Rgb<Real> difference = follow(path, numbers) - follow(path, others);
+                  return Real((difference[0] + difference[1] + difference[2]) / Real(3));
+                });
+              },
+          .real = real_name<Real>()};
+}
+
+/// In the box of the paper, by cone: a shadow ray brings at most 12.8, as by area, four times a path.
+template <class Real, class Numbers>
+Claim cornell_by_sets(const std::string& kind, const std::string& subject) {
+  const SceneComparison box{"cornell-simple", 4, 4 * 12.8, 0.4, 20};
+  RenderSettings settings;
+  settings.light_sampling = "cone";
+  settings.which_light = "all";
+  settings.roulette = "off";
+  return sets_agree<Real, Numbers>("cornell-simple.random." + kind, {subject}, box, settings);
 }
 
 }  // namespace fairlight

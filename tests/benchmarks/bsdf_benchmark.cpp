@@ -2,9 +2,8 @@
 // run. Built for the machine that it runs on, so that packets are as wide as they get.
 #include <array>
 
-#include <benchmark/benchmark.h>
+#include <benchmarks/rates.h>
 
-#include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/conductor.h>
 #include <fairlight/estimators/dielectric.h>
 #include <fairlight/estimators/energy_compensation.h>
@@ -12,14 +11,10 @@
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/lambertian.h>
 #include <fairlight/estimators/mixture.h>
-#include <fairlight/estimators/stream.h>
 
 namespace {
 
 using namespace fairlight;
-
-constexpr std::uint64_t bounces = 1 << 16;
-constexpr std::uint64_t a_stream = 4;  // bounces from each stream, as a path takes several
 
 /// Where surfaces are seen from: drawn beforehand, and many, lest a mirror's bounce be known before it is asked for.
 template <class Real>
@@ -31,39 +26,19 @@ std::array<Vec3<Real>, 64> views() {
 }
 
 template <Bsdf Surface>
-void bounce(benchmark::State& state, const Surface& surface) {
+auto bounces_off(const Surface& surface) {
   using Real = typename Surface::Scalar;
-  const StreamKey key(1, "benchmark");
-  const auto outs = views<Real>();
-  for (auto _ : state) {
-    Vec3<Real> directions = zero<Vec3<Real>>();
-    Rgb<Real> weights = zero<Rgb<Real>>();
-    for (std::uint64_t i = 0; i < bounces / a_stream; i += lanes<Real>) {
-      PhiloxStream<Real> source(key, 0, i);
-      for (std::uint64_t k = 0; k < a_stream; ++k) {
-        Eigen::Matrix<Real, Surface::dimensions, 1> u;
-        for (int d = 0; d < Surface::dimensions; ++d) u[d] = source.next();
-        const Bounce<Real> sample = surface.sample(outs[(i / lanes<Real> * a_stream + k) % outs.size()], u);
-        directions += sample.in;
-        weights += sample.weight;
-      }
-    }
-    benchmark::DoNotOptimize(directions);
-    benchmark::DoNotOptimize(weights);
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bounces));
+  return [surface, outs = views<Real>(), next = std::size_t{0}](PhiloxStream<Real>& source) mutable {
+    Eigen::Matrix<Real, Surface::dimensions, 1> u;
+    for (Real& number : u) number = source.next();
+    const Bounce<Real> bounce = surface.sample(outs[next++ % outs.size()], u);
+    return Vec3<Real>(bounce.in + bounce.weight.matrix());
+  };
 }
 
 template <class Make>
 void compare(const std::string& name, const Make& make) {
-  const auto add = [&]<class Real>(std::type_identity<Real> real, const std::string& kind) {
-    const auto surface = make(real);
-    benchmark::RegisterBenchmark((name + "/" + kind).c_str(), [surface](auto& state) { bounce(state, surface); })
-        ->Repetitions(5)
-        ->ReportAggregatesOnly();
-  };
-  add(std::type_identity<double>{}, "double");
-  add(std::type_identity<Packet>{}, "packet");
+  benchmarks::compare(name, [&]<class Real>(std::type_identity<Real> real) { return bounces_off(make(real)); });
 }
 
 template <class Real>

@@ -14,9 +14,10 @@ namespace fairlight::benchmarks {
 constexpr std::uint64_t draws = 1 << 16;
 constexpr std::uint64_t a_stream = 4;  // draws from each stream, as a path takes several
 
-/// How many draws a second `draw(source)` gives, its random numbers included; it gives a number or a vector.
+/// How many draws a second `draw(source)` gives, its random numbers included; it gives a number or a vector. It may count
+/// its draws.
 template <class Real, class Draw>
-void measure(benchmark::State& state, const Draw& draw) {
+void measure(benchmark::State& state, Draw draw) {
   const StreamKey key(1, "benchmark");
   for (auto _ : state) {
     auto sum = zero<std::invoke_result_t<Draw, PhiloxStream<Real>&>>();

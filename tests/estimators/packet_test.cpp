@@ -77,19 +77,6 @@ TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsSample) {
   }
 }
 
-// Or any sample of any unit.
-TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsUnitAndVertex) {
-  using Word = PhiloxStream<Packet>::Word;
-  const StreamKey key(7, "lanes");
-  const Word i = lane_numbers<Packet::arch_type>();
-  PhiloxStream<Packet> stream(key, i * Word(3u), i + Word(10u), i * i);
-  std::array<std::array<double, lanes<Packet>>, 7> drawn{};
-  for (auto& numbers : drawn) numbers = lanes_of(stream.next());
-  for (std::uint32_t k = 0; k < lanes<Packet>; ++k) {
-    expect_sample(drawn, k, key, 3 * k, vertex_sample(10 + k, k * k));
-  }
-}
-
 // At every place where a quarter of a turn begins or ends, and between: to an ulp of 1, and exactly at the quarters.
 TEST(Packet, TurnsAsDoubleDoes) {
   for (int i = 0; i <= 4096; ++i) {

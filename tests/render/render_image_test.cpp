@@ -15,6 +15,13 @@ RenderSettings small() {
   return settings;
 }
 
+RenderSettings small(const std::string& random, std::uint32_t points) {
+  RenderSettings settings = small();
+  settings.random = random;
+  settings.points = points;
+  return settings;
+}
+
 Film render(const RenderSettings& settings, SampleRange range, int threads, const std::string& instructions = "") {
   Film film(settings.width, settings.height);
   render_image(view_of(settings), settings, 11, range, threads, film, {}, instructions);
@@ -34,6 +41,12 @@ TEST(RenderImage, IsTheSameForAnyNumberOfThreads) {
   }
   settings.real = "double";
   expect_same(settings, "");
+  for (const char* random : {"sobol", "stratified"}) {
+    settings = small(random, 4);
+    expect_same(settings, "");
+    settings.real = "double";
+    expect_same(settings, "");
+  }
 }
 
 TEST(RenderImage, IsTheSumOfItsParts) {
@@ -51,6 +64,36 @@ TEST(RenderImage, CountsPathsAndRays) {
   EXPECT_EQ(cost.rays, cost.paths);
 }
 
+// A set is a draw: its samples depend on each other.
+TEST(RenderImage, AddsTheMeansOfSets) {
+  for (const char* random : {"sobol", "stratified"}) {
+    EXPECT_EQ(render(small(random, 8), {0, 24}, 2).at(5, 5)[0].count(), 3u);
+    const Film set = render(small(random, 8), {0, 8}, 2);
+    EXPECT_EQ(set.at(5, 5)[0].count(), 1u);
+    EXPECT_EQ(set.at(5, 5)[0].standard_error(), infinity<double>);
+  }
+}
+
+// Also sets that are larger than what is held at once otherwise, or do not divide it.
+TEST(RenderImage, IsTheSumOfWholeSetsForAnyNumberOfThreads) {
+  for (const std::uint32_t points : {1u, 4u, 64u, 256u}) {
+    RenderSettings settings = small("sobol", points);
+    settings.width = 17;
+    settings.height = 3;
+    Film parts = render(settings, {2 * points, 3 * points}, 7);
+    parts.merge(render(settings, {0, 2 * points}, 2));
+    EXPECT_EQ(parts, render(settings, {0, 3 * points}, 1)) << points;
+  }
+}
+
+TEST(RenderImage, RefusesPartsOfSets) {
+  EXPECT_THROW(render(small("sobol", 16), {0, 24}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small("stratified", 16), {8, 24}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small("sobol", 0), {0, 16}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small("stratified", 12), {0, 12}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small("independent", 16), {0, 16}, 1), std::invalid_argument);
+}
+
 // More samples than are held at once, in parts that divide neither packets nor what is held.
 TEST(RenderImage, IsTheSumOfItsPartsAcrossWhatIsHeldAtOnce) {
   Film parts = render(small(), {65, 70}, 2);
@@ -65,7 +108,8 @@ const Values strategies{{&RenderSettings::real, {"packet", "double"}},
                         {&RenderSettings::light_sampling, {"area", "visible", "cone"}},
                         {&RenderSettings::which_light, {"all", "one", "power", "contribution"}},
                         {&RenderSettings::roulette, {"albedo", "throughput", "off"}},
-                        {&RenderSettings::filter, {"tent", "box", "gaussian", "blackman-harris"}}};
+                        {&RenderSettings::filter, {"tent", "box", "gaussian", "blackman-harris"}},
+                        {&RenderSettings::random, {"independent", "sobol", "stratified"}}};
 
 // Every pair of strategies, in every scene that admits them.
 TEST(RenderImage, RunsEveryPairOfStrategies) {
@@ -160,7 +204,8 @@ TEST(RenderImage, RefusesUniformBouncesWithoutADepthSinceTheirVarianceIsInfinite
 TEST(RenderImage, RefusesStrategiesThatDoNotExist) {
   for (std::string RenderSettings::*strategy :
        {&RenderSettings::real, &RenderSettings::bounce, &RenderSettings::direct, &RenderSettings::light_sampling,
-        &RenderSettings::which_light, &RenderSettings::roulette, &RenderSettings::filter}) {
+        &RenderSettings::which_light, &RenderSettings::roulette, &RenderSettings::filter,
+        &RenderSettings::random}) {
     RenderSettings settings = small();
     settings.*strategy = "sideways";
     EXPECT_THROW(render(settings, {0, 1}, 1), std::invalid_argument);

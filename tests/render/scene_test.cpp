@@ -56,6 +56,11 @@ TEST(Scene, RefusesImpossibleSurfaces) {
   EXPECT_THROW(scene.add_sphere({0, 0, 0}, 1, {Material::Kind::glass, one, 0}, none), std::invalid_argument);
   EXPECT_THROW(scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, grey, none), std::invalid_argument);
   EXPECT_THROW(scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {0, 0, 0}, grey, none), std::invalid_argument);
+  EXPECT_THROW(scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {0, 1e-60, 0}, grey, none), std::invalid_argument);
+  for (const double radius : {std::numeric_limits<double>::denorm_min(), 1e-310, 1e-60, 1e60}) {
+    EXPECT_THROW(scene.add_sphere({0, 0, 0}, radius, grey, none), std::invalid_argument);
+    EXPECT_THROW(scene.add_wall({0, 0, 0}, {0, 1, 0}, radius, grey, none), std::invalid_argument);
+  }
   const Material glass(Material::Kind::glass, one, 1.5);
   EXPECT_THROW(scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, glass, none), std::invalid_argument);
   EXPECT_TRUE(scene.surfaces().empty());

@@ -5,6 +5,7 @@
 #include <support/unit_square.h>
 
 #include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/sphere_directions.h>
 #include <fairlight/render/sphere.h>
 
 namespace fairlight {
@@ -70,6 +71,30 @@ RC_GTEST_PROP(Sphere, LetsARayLeaveAtAnyScale, ()) {
   const Vec3<double> away = Frame<double>(outward).to_world(w);
   RC_ASSERT(sphere.distance(radius * outward, away, true) == infinity<double>);
   RC_ASSERT(std::abs(sphere.distance(radius * outward, -away, true) / (2 * radius * w.z()) - 1) < 1e-9);
+}
+
+// A ray of floats that passes the centre of the unit sphere, 1e5 away, at a tenth more or less than its radius: the place where it
+// starts is rounded to 0.01, and 1e10, of which the discriminant is the rest, to 1000.
+RC_GTEST_PROP(Sphere, IsNoWiderFromFarAway, ()) {
+  const auto distance = *rc::gen::element(1e2, 1e3, 1e4, 1e5);
+  const Frame<double> frame(UniformSphere<double>().sample(*testing::unit_point()));
+  const Sphere<float> sphere{{0, 0, 1}, {0, 0, 1}, 1};
+  const Vec3<float> direction = frame.to_world({0, 0, 1}).cast<float>().normalized();
+  const auto passed = [&](double aside) {
+    const Vec3<float> origin = frame.to_world({aside, 0, -distance}).cast<float>();
+    const bool hit = sphere.distance(origin, direction, false) < infinity<float>;
+    const auto shadow = [&](double reach) {
+      return sphere.obstruction(origin, direction, false, static_cast<float>(reach)) > 0;
+    };
+    RC_ASSERT(hit == shadow(2 * distance));
+    RC_ASSERT(!shadow(distance - 3));
+    RC_ASSERT(aside < 1 || !shadow(distance));
+    return hit;
+  };
+  RC_ASSERT(passed(0));
+  RC_ASSERT(passed(0.9));
+  RC_ASSERT(!passed(1.1));
+  RC_ASSERT(!passed(3));
 }
 
 }  // namespace

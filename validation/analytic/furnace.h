@@ -14,11 +14,16 @@ namespace fairlight {
 /// The sphere is neither at the origin nor of unit size, and the three channels differ.
 struct Furnace {
   Scene scene;
-  Ray<double> ray{{1.5, -2.25, 4}, Vec3<double>(2, 3, -6).normalized(), -1};
+  Ray<double> ray;
   Rgb<double> radiance{1, 2, 0.5};
   Rgb<double> albedo{0.3, 0.5, 0.7};
+  std::string description = "inside a closed sphere";
 
-  Furnace() { scene.add_sphere({3, -2, 5}, 7, albedo, radiance); }
+  /// `metre`: how long a metre of it is, which must make no difference.
+  explicit Furnace(double metre = 1)
+      : ray{metre * Vec3<double>(1.5, -2.25, 4), Vec3<double>(2, 3, -6).normalized(), -1} {
+    scene.add_sphere(metre * Vec3<double>(3, -2, 5), 7 * metre, albedo, radiance);
+  }
 
   /// Le (1 - rho^(depth+1)) / (1 - rho); the whole series for a negative depth.
   double reference(int channel, int depth) const {
@@ -30,15 +35,16 @@ struct Furnace {
 /// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series.
 /// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q). Where rho =
 /// q a path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 60 leaves 2e-9. With shadow
-/// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger.
+/// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger. `vertex` says how many times
+/// that a vertex may bring.
 template <class Tracer>
-auto furnace_radiance(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1) {
-  const Furnace furnace;
+auto furnace_radiance(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1,
+                      const Furnace& furnace = Furnace(), double vertex = 1) {
   const double q = furnace.albedo.maxCoeff();
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
     constexpr int vertices = 60;
-    const double le = furnace.radiance[c];
+    const double le = vertex * furnace.radiance[c];
     const double ratio = furnace.albedo[c] / q;
     const bool endless = ratio == 1;
     const double upper = endless ? le * vertices : le / (1 - ratio) * (1 + 1e-9);
@@ -46,11 +52,27 @@ auto furnace_radiance(const std::string& name, std::vector<std::string> subjects
   }
   return Experiment{name,
                     std::move(subjects),
-                    "inside a closed sphere the radiance is Le / (1 - rho), per channel",
+                    furnace.description + " the radiance is Le / (1 - rho), per channel",
                     "geometric series of the transport operator",
                     margin_factor,
                     references,
                     RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
+}
+
+/// A white mirror ball in it is invisible: it shows what the sphere shows. The ray meets it head on.
+/// A vertex of the sphere may bring twice as much: what its shadow ray finds, and what the bounce finds in the mirror.
+inline Furnace furnace_with_mirror() {
+  Furnace furnace;
+  furnace.scene.add_sphere({2.5, -0.75, 1}, 1, Material(Material::Kind::mirror, Rgb<double>::Ones(), 1),
+                           Rgb<double>::Zero());
+  furnace.description = "inside a closed sphere in which a white mirror ball stands";
+  return furnace;
+}
+
+template <class Direct>
+auto mirror_in_furnace(const std::string& how, std::vector<std::string> subjects) {
+  using Tracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, RouletteByReflectance<>>;
+  return furnace_radiance<Tracer>("furnace.mirror_ball." + how, std::move(subjects), 8, furnace_with_mirror(), 2);
 }
 
 inline Furnace furnace_with_another() {

@@ -47,4 +47,33 @@ auto roulette_walk(const std::string& name, const std::string& subject, int firs
                     draw};
 }
 
+/// How many vertices such a path has, which is what it costs: 1 / (1 - q), as it goes on with probability q = 1/4 after each. That
+/// a path is longer shows in no mean of what it carries.
+template <class Roulette>
+auto roulette_walk_length(const std::string& name, const std::string& subject) {
+  constexpr double q = 0.25;
+  constexpr int vertices = 12;
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Rgb<Real> reflectance(Real(0.125), Real(q), Real(0.0625));
+    Rgb<Real> throughput = Rgb<Real>::Ones();
+    Real length(1);
+    Mask<Real> alive(true);
+    for (int depth = 0; any(alive); ++depth) {
+      const auto [goes_on, weight] =
+          Roulette::template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
+      alive = alive && goes_on;
+      throughput *= reflectance * weight;
+      length += select(alive, Real(1), Real(0));
+    }
+    return length;
+  };
+  return Experiment{name,
+                    {subject},
+                    "a path that goes on with the largest reflectance, 1/4, has 4/3 vertices",
+                    "geometric series; the paper, 3.2.1",
+                    2,
+                    {{1 / (1 - q), 0, vertices, std::pow(q, vertices) / (1 - q)}},
+                    draw};
+}
+
 }  // namespace fairlight

@@ -101,4 +101,29 @@ auto floor_radiance(const std::string& name, std::vector<std::string> subjects, 
   return floor_radiance(name, std::move(subjects), floor, margin_factor, bound, always(Tracer(1)));
 }
 
+/// Light that shadow rays and bounces share by the balance heuristic, from one large light by cone; or from two, of which a shadow
+/// ray looks for one. `Direct` says how.
+/// Bound: a shadow ray brings no more than alone, as the densities add up, and a bounce no more than rho Le.
+template <class Direct>
+using SharedTracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, NoRoulette>;
+
+template <class Direct = DirectLight<AllOf, PointsBy<SphereByCone>, Shared<>>>
+auto shared_light() {
+  const auto bound = [](const SpheresOverPlane& s, int c) {
+    return s.sum_of_cone_terms(c) + s.albedo[c] * s.largest_radiance(c);
+  };
+  return floor_radiance<SharedTracer<Direct>>(
+      "sphere_over_plane.shared", {"DirectLight", "SphereByCone", "CosineHemisphere", "BalanceHeuristic"},
+      large_light(), 2, bound);
+}
+
+template <class Direct = DirectLight<OneOf, PointsBy<SphereByCone>, Shared<>>>
+auto shared_lights() {
+  const auto bound = [](const SpheresOverPlane& s, int c) {
+    return 2 * s.sum_of_cone_terms(c) + s.albedo[c] * s.largest_radiance(c);
+  };
+  return floor_radiance<SharedTracer<Direct>>(
+      "two_lights.shared", {"DirectLight", "OneOf", "SphereByCone", "BalanceHeuristic"}, two_lights(), 4, bound);
+}
+
 }  // namespace fairlight

@@ -1,46 +1,86 @@
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <mutex>
 
 #include <fairlight/render/parallel.h>
 #include <fairlight/validation/audit/fault_audit.h>
 
 namespace fairlight {
+namespace {
+
+// How one seed went.
+struct Capture {
+  Finding finding;
+  double seconds = 0;
+};
+
+Capture capture(const Claim& claim, const Trial& trial) {
+  const auto start = std::chrono::steady_clock::now();
+  const Finding finding = claim.check(trial);
+  return {finding, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+// What became of a fault in a claim, in words.
+std::string in_words(const FaultOutcome& o) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), ": caught %d times of %d, with a bias of %.1e at a margin of %.1e",
+                o.caught, o.seeds, o.effect, o.margin);
+  return o.claim->name + text.data();
+}
+
+}  // namespace
 
 std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds, const Progress& progress) {
-  struct Cell {
-    const Fault* fault;
-    const Claim* claim;
-  };
-  std::vector<Cell> cells;
+  std::vector<FaultOutcome> outcomes;
   for (const Fault& fault : fault_catalogue()) {
-    for (const Claim& claim : fault.claims) cells.push_back({&fault, &claim});
+    for (const Claim& claim : fault.claims) outcomes.push_back({.fault = &fault, .claim = &claim, .seeds = seeds});
   }
   const auto per_cell = static_cast<std::size_t>(seeds);
-  std::vector<Finding> findings(cells.size() * per_cell);
+  std::vector<Capture> captures(outcomes.size() * per_cell);
   const Manifest manifest = manifest_of(conformance);
   std::mutex mutex;
   std::size_t done = 0;
-  for_each_unit(static_cast<int>(findings.size()), conformance.threads, [&](int unit) {
+  for_each_unit(static_cast<int>(captures.size()), conformance.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
-    const Claim& claim = *cells[i / per_cell].claim;
+    const Claim& claim = *outcomes[i / per_cell].claim;
     Trial trial = manifest.trial(claim.name);
     trial.seed += i % per_cell;
-    findings[i] = claim.check(trial);
+    captures[i] = capture(claim, trial);
     const std::lock_guard lock(mutex);
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(findings.size()));
+    if (progress) progress(static_cast<double>(++done) / static_cast<double>(captures.size()));
   });
-  std::vector<FaultOutcome> outcomes;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    FaultOutcome outcome{cells[c].fault, cells[c].claim->name, 0, 0, 0, seeds};
-    for (std::size_t s = 0; s < per_cell; ++s) {
-      const Finding& finding = findings[c * per_cell + s];
-      outcome.effect += finding.bias / seeds;
-      outcome.draws += finding.draws;
-      outcome.caught += finding.verdict == Verdict::biased ? 1 : 0;
-    }
-    outcome.draws /= per_cell;
-    outcomes.push_back(outcome);
+  for (std::size_t i = 0; i < captures.size(); ++i) {
+    FaultOutcome& outcome = outcomes[i / per_cell];
+    const auto& [finding, elapsed] = captures[i];
+    if (std::isfinite(finding.bias)) outcome.effect += finding.bias / seeds;
+    if (i % per_cell == 0) outcome.note = finding.note;
+    outcome.margin = finding.margin;
+    outcome.draws += finding.draws;
+    outcome.seconds += elapsed / seeds;
+    outcome.caught += finding.verdict == Verdict::biased ? 1 : 0;
   }
+  for (FaultOutcome& outcome : outcomes) outcome.draws /= per_cell;
   return outcomes;
+}
+
+std::vector<Survivor> survivors(const std::vector<FaultOutcome>& outcomes) {
+  std::vector<Survivor> alive;
+  for (const Fault& fault : fault_catalogue()) {
+    std::string reason;
+    bool caught = false;
+    for (const FaultOutcome& o : outcomes) {
+      if (o.fault != &fault) continue;
+      caught = caught || o.caught == o.seeds;
+      reason += (reason.empty() ? "" : "; ") + in_words(o);
+    }
+    if (caught) continue;
+    const bool expected = !fault.survives.empty();
+    alive.push_back({&fault, expected ? fault.survives : "a hole in the claims: " + reason, expected});
+  }
+  return alive;
 }
 
 }  // namespace fairlight

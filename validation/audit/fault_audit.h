@@ -12,15 +12,26 @@ namespace fairlight {
 /// How one claim fared against one fault, over several seeds.
 struct FaultOutcome {
   const Fault* fault;
-  std::string claim;
-  double effect;        ///< the bias that the fault induces in the claim, relative: the mean over seeds
-  std::uint64_t draws;  ///< the mean number to the verdict
-  int caught;           ///< how many seeds said `biased`
-  int seeds;
+  const Claim* claim;
+  double effect = 0;        ///< the bias that the fault induces in the claim, relative: the mean over seeds
+  double margin = 0;        ///< the bias that the claim excludes
+  std::uint64_t draws = 0;  ///< the mean number to the verdict
+  double seconds = 0;       ///< the mean time to the verdict, on one thread
+  int caught = 0;           ///< how many seeds said `biased`
+  int seeds = 0;
+  std::string note{};  ///< of the first seed: what was found, where it was no bias
 };
 
 /// Runs every fault of the catalogue through its claims, with seeds conformance.seed, + 1, ... Exact to the seed,
-/// whatever the threads.
+/// whatever the threads, but for the seconds.
 std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds, const Progress& progress = {});
+
+/// A fault that none of its claims catches with every seed.
+struct Survivor {
+  const Fault* fault;
+  std::string reason;
+  bool expected;  ///< by the catalogue, which says why
+};
+std::vector<Survivor> survivors(const std::vector<FaultOutcome>& outcomes);
 
 }  // namespace fairlight

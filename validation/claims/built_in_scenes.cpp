@@ -39,6 +39,33 @@ void add_bounces(std::vector<Claim>& claims, const SceneComparison& scene, const
   if (alone) add("none");
 }
 
+// The picture in floats: the light itself, which differs at its rim alone, and what the surfaces reflect of it, up to four
+// bounces, by cone. Each within the margin of half of the picture's mean.
+void add_floats(std::vector<Claim>& claims, const SceneComparison& scene) {
+  RenderSettings settings = baseline("cone");
+  settings.scene = scene.scene;
+  settings.max_depth = scene.max_depth;
+  const View view = view_of(settings);
+  const auto tracer = [&](int max_depth) {
+    settings.max_depth = max_depth;
+    const auto make = [scene = view.scene, settings]<class Real>(std::type_identity<Real>) {
+      return chosen_tracer<Real>(Strategies(settings, scene), scene);
+    };
+    return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
+  };
+  const auto grey = [](const auto& colour) { return (colour[0] + colour[1] + colour[2]) / 3; };
+  const auto seen = [=, light = tracer(0)](auto real, const auto& ray, auto& source) {
+    return grey(light.along(ray, real, source));
+  };
+  const auto reflected = [=, all = tracer(scene.max_depth)](auto real, const auto& ray, auto& source) {
+    return grey(all.along(ray, real, source)) - seen(real, ray, source);
+  };
+  claims.push_back(floats_against_double(scene.scene + ".float.light", view, 400, scene.mean / 2, seen,
+                                         around_the_light_of_cornell_simple));
+  claims.push_back(
+      floats_against_double(scene.scene + ".float.reflected", view, scene.largest, scene.mean / 2, reflected));
+}
+
 }  // namespace
 
 // What a shadow ray brings is at most S f Le, by cone and by solid angle, and A f Le / d^2 by area; a bounce that shares
@@ -54,6 +81,12 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
         claims, strategies_agree("cornell-simple.sampling." + sampling, {"PathTracer", "DirectLight"}, simple,
                                  baseline("cone"), settings));
   }
+  // By cone S f Le, with S = pi (1.5 / 15)^2, four times: 12.8 as well.
+  add_floats(claims, {"cornell-simple", 4, 12.8, 0.4, 1});
+  claims.push_back(cornell_by_sets<double, PaddedSobol>("sobol", "PaddedSobol"));
+  claims.push_back(cornell_by_sets<Packet, PaddedSobol>("sobol", "PaddedSobol"));
+  claims.push_back(cornell_by_sets<double, PaddedStrata>("stratified", "PaddedStrata"));
+  claims.push_back(cornell_by_sets<Packet, PaddedStrata>("stratified", "PaddedStrata"));
   // Of a bounce's directions a light fills less than pi (1.5 / 15)^2 / pi = 0.01, and its rim, 1e-5 of a radius wide, 2e-7: four
   // times a path, Le = 400 and the albedo 0.8 for each.
   simple.tail_slack = 4 * 2e-7 * 320;

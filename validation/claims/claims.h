@@ -19,7 +19,7 @@ void add_second_order_claims(std::vector<Claim>& claims);
 void add_scene_claims(std::vector<Claim>& claims);
 void add_built_in_scene_claims(std::vector<Claim>& claims);
 
-/// All of them, each with the name of its file.
+/// All of them, each with the name of its file, for packets as wide as this is compiled for.
 inline void add_claims(std::vector<Claim>& claims) {
   struct Topic {
     const char* file;

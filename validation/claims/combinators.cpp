@@ -1,5 +1,7 @@
 #include <fairlight/validation/analytic/combinations.h>
+#include <fairlight/validation/analytic/combinator_variances.h>
 #include <fairlight/validation/analytic/furnace.h>
+#include <fairlight/validation/analytic/long_sums.h>
 #include <fairlight/validation/analytic/roulette_walk.h>
 #include <fairlight/validation/claims/claims.h>
 
@@ -14,6 +16,8 @@ void add_roulette(std::vector<Claim>& claims) {
                                                                             "RouletteByThroughput", 0));
   add_mean(claims, roulette_walk<RouletteByThroughput<1>, UniformHemisphere>("roulette.walk.throughput_later",
                                                                              "RouletteByThroughput", 1));
+  add_independent_mean(
+      claims, roulette_walk_length<RouletteByReflectance<>>("roulette.walk.length", "RouletteByReflectance"));
   using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByThroughput<>>;
   add_independent_mean(
       claims,
@@ -43,6 +47,11 @@ void add_combinator_claims(std::vector<Claim>& claims) {
   add_mis(claims);
   add_mean(claims, nested_peaks("nested.peaks"));
   add_mean(claims, nested_strata("nested.strata"));
+  claims.push_back(all_against_one());
+  claims.push_back(splitting_variance());
+  claims.push_back(control_variate_variance());
+  claims.push_back(stratified_mean_variance());
+  claims.push_back(long_sum_claim());
 }
 
 }  // namespace fairlight

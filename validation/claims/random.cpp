@@ -1,6 +1,8 @@
 #include <fairlight/validation/analytic/point_sets.h>
+#include <fairlight/validation/analytic/streams.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/laws.h>
+#include <fairlight/validation/padded_sets.h>
 
 namespace fairlight {
 
@@ -12,7 +14,15 @@ void add_point_set(std::vector<Claim>& claims, const PointSetKind<Set>& kind) {
   claims.push_back(point_moments_claim<double>(kind));
   claims.push_back(point_moments_claim<Packet>(kind));
   claims.push_back(replicates_uncorrelated_claim(kind));
-  claims.push_back(three_points_claim(kind));
+}
+
+template <template <class> class Set, class Numbers>
+void add_padded_set(std::vector<Claim>& claims, const PointSetKind<Set>& kind, std::uint32_t width, double ratio) {
+  add_point_set(claims, kind);
+  claims.push_back(vertices_claim<double, Numbers>(kind.suffix, {kind.subject}));
+  claims.push_back(vertices_claim<Packet, Numbers>(kind.suffix, {kind.subject}));
+  claims.push_back(stratified_variance_claim(kind, 16, width));
+  claims.push_back(product_variance_claim(kind, ratio));
 }
 
 }  // namespace
@@ -21,6 +31,7 @@ void add_random_claims(std::vector<Claim>& claims) {
   add_law(claims, LawExperiment{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
                                 []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
                                 SquareDomain{0, 1}});
+  claims.push_back(streams_uncorrelated_claim());
   claims.push_back(mean_claim<double>(product_integral()));
   claims.push_back(mean_claim<Packet>(product_integral()));
   claims.push_back(replicates_claim(product_integral(), sobol_points, 1));
@@ -32,6 +43,13 @@ void add_random_claims(std::vector<Claim>& claims) {
   claims.push_back(stratified_variance_claim(sobol_points, 16, 16));
   claims.push_back(stratified_variance_claim(stratified_points, 16, 4));
   claims.push_back(stratified_variance_claim(latin_points, 16, 16));
+  claims.push_back(three_points_claim(sobol_points));
+  claims.push_back(three_points_claim(stratified_points));
+  claims.push_back(three_points_claim(latin_points));
+  claims.push_back(vertices_claim<double, IndependentNumbers>("independent", {"IndependentNumbers"}, 1));
+  claims.push_back(vertices_claim<Packet, IndependentNumbers>("independent", {"IndependentNumbers"}, 1));
+  add_padded_set<PaddedSobolSet, PaddedSobol>(claims, padded_sobol_points, 16, 1.0 / 6);
+  add_padded_set<PaddedStrataSet, PaddedStrata>(claims, padded_strata_points, 4, 2.0 / 9);
 }
 
 }  // namespace fairlight

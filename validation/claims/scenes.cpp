@@ -31,6 +31,11 @@ void add_furnaces(std::vector<Claim>& claims) {
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
   add(furnace_radiance<Tracer<NoDirectLight, Roulette>>("furnace.bounce",
                                                         {"PathTracer", "NoDirectLight", "RouletteByReflectance"}));
+  add(furnace_radiance<Tracer<NoDirectLight, Roulette>>(
+      "furnace.tiny.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}, 5, Furnace(1e-3)));
+  add(mirror_in_furnace<All>("light", {"PathTracer", "DirectLight", "Mirror"}));
+  add(mirror_in_furnace<DirectLight<AllOf, ByCone, Shared<>>>(
+      "shared", {"PathTracer", "DirectLight", "Mirror", "BalanceHeuristic"}));
   add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
                                               {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
   add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 24.5,
@@ -68,6 +73,7 @@ void add_one_light(std::vector<Claim>& claims) {
       "sphere_over_plane.cosine", {"NoDirectLight", "CosineHemisphere"}, large_light(), 2, cosine_hit));
   add(floor_radiance<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
       "sphere_over_plane.uniform", {"NoDirectLight", "UniformHemisphere"}, large_light(), 2, uniform_hit));
+  add(shared_light());
 }
 
 // Which of two lights, each by cone: what is drawn is then nearly the choice alone.
@@ -112,6 +118,7 @@ void add_two_lights(std::vector<Claim>& claims) {
   add(floor_radiance<Tracer<ContributionByCone, NoRoulette>>(
       "two_lights.contribution", {"DirectLight", "OneByContribution", "ContributionChoice"}, two_lights(), 1,
       contribution_term));
+  add(shared_lights());
 }
 
 void add_agreements(std::vector<Claim>& claims) {

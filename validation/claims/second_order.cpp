@@ -52,21 +52,6 @@ Claim lobe_against_cosine() {
                         glossy_bounce<CosineHemisphere>("cosine-weighted sampling of it", 6));
 }
 
-/// The paper's loaded die and fair one (pick.all.dice), throwing two dice a time: both, of variance 20/9 + 35/12 = 185/36; or twice
-/// one of them, doubled and averaged, of variance 21 + 91/6 - (47/6)^2 / 2 = 395/72. One of them is no better at equal cost: what
-/// it saves is the cost.
-template <class Terms>
-Contender dice(const std::string& name, int times) {
-  const auto sum = two_dice<Terms>("", {}).draw;
-  return independent_draws(
-      name, [=](auto& source) { return sum(std::type_identity<double>{}, source); }, 0, 12, times);
-}
-
-Claim all_against_one() {
-  return variance_claim("variance.all_against_one", {"AllOf", "OneOf"}, "elementary; the paper, A.1", 370.0 / 395,
-                        10, dice<AllOf>("throwing both dice", 1), dice<OneOf>("throwing one of them, twice,", 2));
-}
-
 /// Two sphere lights by two shadow rays: one to each; or twice one to either, doubled and averaged. With means m and m' of the two
 /// the latter has (m - m')^2 / 2 more variance, whatever the lights. A ray by cone brings at most the solid angle.
 template <class Terms>
@@ -186,7 +171,6 @@ void add_second_order_claims(std::vector<Claim>& claims) {
   claims.push_back(cosine_against_uniform());
   claims.push_back(lobe_against_cosine());
   claims.push_back(cone_against_area());
-  claims.push_back(all_against_one());
   claims.push_back(all_lights_against_one());
   claims.push_back(sobol_against_independent());
   claims.push_back(sobol_convergence());

@@ -9,15 +9,13 @@ namespace {
 constexpr AllocationPlan plan{PixelGrid(4, 2), 64, 2};
 constexpr const char* source = "Kirk and Arvo 1991";
 
-/// The rows of a form, by what shares out its budget.
+/// Rows of a form, by what shares out its budget.
 template <template <class> class Form, class... Stages>
 std::vector<Claim> rows(const std::string& form, Stages... stages) {
   return {unbiased_allocation("allocation." + form + ".deviation", {}, source,
                               Form<AllocationByDeviation>(plan, stages...)),
           unbiased_allocation("allocation." + form + ".variance", {}, source,
-                              Form<AllocationByVariance>(plan, stages...)),
-          unbiased_allocation("allocation." + form + ".neighbours", {}, source,
-                              Form<AllocationByNeighbours>(plan, stages...))};
+                              Form<AllocationByVariance>(plan, stages...))};
 }
 
 Claim row_from_one_set() {

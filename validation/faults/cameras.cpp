@@ -8,25 +8,25 @@ namespace fairlight {
 namespace {
 
 template <template <class> class Aperture>
-std::vector<Claim> claims_of_an_aperture() {
-  const auto law = circular_aperture_law<Aperture>();
-  const auto behind = circle_of_confusion<Aperture, ThinLens>(3.5);
-  return {law_claim(law), law_moments_claim(law), law_moments_claim<Packet>(law), mean_claim(behind),
-          mean_claim<Packet>(behind)};
+Claim confusion_behind() {
+  return mean_claim<Packet>(circle_of_confusion<Aperture, ThinLens>(3.5));
 }
 
 Fault crowded_aperture() {
-  return {"aperture-without-root", "Montelight", "the class of Smerity/montelight-cpp",
-          claims_of_an_aperture<faults::CrowdedAperture>()};
+  return {"aperture-without-root",
+          "Montelight",
+          "the class of Smerity/montelight-cpp",
+          {law_moments_claim(circular_aperture_law<faults::CrowdedAperture>()),
+           confusion_behind<faults::CrowdedAperture>()}};
 }
 
 Fault square_aperture() {
-  return {"aperture-square", "lens", "the class of pbrt-v3 #162", claims_of_an_aperture<faults::SquareAperture>()};
+  return {"aperture-square", "lens", "the class of pbrt-v3 #162", {confusion_behind<faults::SquareAperture>()}};
 }
 
 Fault unnormalised_gaussian() {
   const auto law = gaussian_law<faults::UnnormalisedGaussian>();
-  return {"gaussian-not-renormalised", "support", "the class of pbrt-v3 #319", claims_of_draws(law)};
+  return {"gaussian-not-renormalised", "support", "the class of pbrt-v3 #319", {law_claim(law)}};
 }
 
 Fault spherical_focus() {
@@ -55,11 +55,20 @@ Fault rays_that_share_numbers() {
           {mean_claim(lens_crossings<Wrong>()), mean_claim<Packet>(lens_crossings<Wrong>())}};
 }
 
+Fault pupil_without_area() {
+  constexpr double radius = 0.375;
+  return {"pupil-without-area",
+          "lens",
+          "pbrt-v3 #162",
+          {uniform_field_claim("aperture.circle.uniform_field", "", faults::PupilWithoutArea<double>(radius),
+                               std::numbers::pi * radius * radius)}};
+}
+
 }  // namespace
 
 std::vector<Fault> camera_faults() {
-  return {crowded_aperture(), square_aperture(),    unnormalised_gaussian(),
-          spherical_focus(),  rays_about_corners(), rays_that_share_numbers()};
+  return {crowded_aperture(),   square_aperture(),         unnormalised_gaussian(), spherical_focus(),
+          rays_about_corners(), rays_that_share_numbers(), pupil_without_area()};
 }
 
 }  // namespace fairlight

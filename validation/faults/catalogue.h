@@ -13,6 +13,9 @@ struct Fault {
   std::string kind;           ///< its class, as in the field's record of shipped bugs
   std::string source;         ///< where such a bug is on record
   std::vector<Claim> claims;  ///< rows of the registry, by name, with the wrong component in the right one's place
+  std::vector<Claim>
+      passed{};  ///< rows that it meets all the same: wrongs that cancel there, or leave the mean as it is
+  std::string survives{};  ///< why none of its rows is expected to catch it; or empty
 };
 
 const std::vector<Fault>& fault_catalogue();
@@ -26,5 +29,8 @@ std::vector<Fault> combinator_faults();
 std::vector<Fault> random_faults();
 std::vector<Fault> camera_faults();
 std::vector<Fault> allocation_faults();
+std::vector<Fault> path_tracer_faults();
+std::vector<Fault> direct_light_faults();
+std::vector<Fault> second_order_faults();
 
 }  // namespace fairlight

@@ -1,5 +1,6 @@
 #include <fairlight/validation/analytic/combinations.h>
 #include <fairlight/validation/analytic/furnace.h>
+#include <fairlight/validation/analytic/long_sums.h>
 #include <fairlight/validation/analytic/roulette_walk.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_combinators.h>
@@ -23,10 +24,10 @@ Fault unpaid_throughput() {
   using Unpaid = RouletteByThroughput<0, faults::UnpaidRoulette>;
   using UnpaidLater = RouletteByThroughput<1, faults::UnpaidRoulette>;
   using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, Unpaid>;
-  const auto claims = together(
-      together(both(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "", 0)),
-               both(roulette_walk<UnpaidLater, UniformHemisphere>("roulette.walk.throughput_later", "", 1))),
-      both(furnace_radiance<Tracer>("furnace.throughput", {})));
+  const std::vector<Claim> claims{
+      mean_claim(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "", 0)),
+      mean_claim(roulette_walk<UnpaidLater, UniformHemisphere>("roulette.walk.throughput_later", "", 1)),
+      mean_claim(furnace_radiance<Tracer>("furnace.throughput", {}))};
   return {"roulette-by-throughput-unpaid", "roulette unpaid", "openmc #3511; chunky #1018", claims};
 }
 
@@ -69,11 +70,31 @@ Fault half_jitter() {
           both(stratified_integral<faults::HalfJitter>("stratified.integral"))};
 }
 
+Fault densities_swapped() {
+  return {"mis-densities-swapped", "MIS sum", "three-gpu-pathtracer #847",
+          both(solid_angle_by_two<faults::DensitiesSwapped>("mis.hemisphere.power"))};
+}
+
+Fault paid_by_mean() {
+  return {"roulette-paid-by-mean", "luminaire probability", "ospray #552",
+          both(roulette_walk<faults::RoulettePaidByMean, CosineHemisphere>("roulette.walk.reflectance", "", 0))};
+}
+
+Fault number_reused() {
+  return {"light-number-reused", "reused number", "pbrt-v4 795c619b",
+          both(two_dice<faults::OneOfReusingNumbers>("pick.one.dice", {}))};
+}
+
+Fault plain_sum() {
+  return {"sum-of-floats", "float sum", "ice_halo_sim #380", {long_sum_claim<faults::PlainSum>()}};
+}
+
 }  // namespace
 
 std::vector<Fault> combinator_faults() {
   return {unpaid_throughput(), weights_on_one_side(), counts_ignored(),   selection_unpaid(),
-          wrong_sign(),        factor_forgotten(),    unpaid_splitting(), half_jitter()};
+          wrong_sign(),        factor_forgotten(),    unpaid_splitting(), half_jitter(),
+          densities_swapped(), paid_by_mean(),        number_reused(),    plain_sum()};
 }
 
 }  // namespace fairlight

@@ -1,5 +1,6 @@
 #include <fairlight/validation/analytic/directions.h>
 #include <fairlight/validation/analytic/glossy.h>
+#include <fairlight/validation/analytic/integrals.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_directions.h>
 
@@ -8,13 +9,10 @@ namespace {
 
 Fault theta_uniform_cone() {
   const auto integral = cone_integral<faults::ThetaUniformCone>("importance.cone", 0.75);
-  const auto narrow = cone_integral<faults::ThetaUniformCone>("importance.cone.narrow", 1e-16);
   return {"cone-theta-uniform",
           "cone sampler",
           "openmc #2041; appleseed #2851",
-          {law_claim(cone_law<faults::ThetaUniformCone>()), law_moments_claim(cone_law<faults::ThetaUniformCone>()),
-           law_moments_claim<Packet>(cone_law<faults::ThetaUniformCone>()), mean_claim(integral),
-           mean_claim<Packet>(integral), mean_claim(narrow), mean_claim<Packet>(narrow)}};
+          {law_moments_claim(cone_law<faults::ThetaUniformCone>()), mean_claim<Packet>(integral)}};
 }
 
 Fault collapsed_cone() {
@@ -23,25 +21,58 @@ Fault collapsed_cone() {
 }
 
 Fault blunt_lobe() {
-  const auto law = lobe_law<faults::BluntLobe>("lobe.power", 20);
   const auto integral = lobe_integral<faults::BluntLobe>("importance.lobe", 5);
   const auto albedo = glossy_normal<faults::BluntGlossy>();
   return {"lobe-exponent",
           "lobe sampler",
           "raytracing.github.io #145",
-          {law_claim(law), law_moments_claim(law), law_moments_claim<Packet>(law), mean_claim(integral),
-           mean_claim<Packet>(integral), mean_claim(albedo), mean_claim<Packet>(albedo)}};
+          {mean_claim(integral), mean_claim<Packet>(albedo)}};
 }
 
 Fault leaky_glossy() {
   const auto albedo = glossy_oblique<faults::LeakyGlossy>();
-  return {"glossy-below-surface", "support", "dspbr-pt #5", {mean_claim(albedo), mean_claim<Packet>(albedo)}};
+  return {"glossy-below-surface", "support", "dspbr-pt #5", {mean_claim<Packet>(albedo)}};
+}
+
+Fault half_density() {
+  return {"cosine-density-halved",
+          "cosine sampler",
+          "raytracing.github.io #145",
+          {law_claim(cosine_law<faults::HalfCosineDensity>())}};
+}
+
+Fault crowded_cosine() {
+  return {"cosine-without-root",
+          "cosine sampler",
+          "raytracing.github.io #145",
+          {law_moments_claim(cosine_law<faults::CrowdedCosine>())}};
+}
+
+// What makes up for it: the integrand does not turn with the azimuth.
+Fault half_cone() {
+  return {"cone-half-turn",
+          "two wrongs",
+          "the class of raytracing.github.io #933",
+          {law_moments_claim(cone_law<faults::HalfCone>())},
+          {mean_claim(cone_integral<faults::HalfCone>("importance.cone", 0.75))}};
+}
+
+Fault hardly_steep_cosine() {
+  return {
+      .name = "cosine-exponent-a-ten-thousandth",
+      .kind = "cosine sampler",
+      .source = "the class of raytracing.github.io #145",
+      .claims = {mean_claim<Packet>(hemisphere_integral<faults::HardlySteepCosine>(
+          "importance.cosine.cosine_squared", "", 2, std::numbers::pi))},
+      .survives =
+          "a bias of 2e-5, a fiftieth of the margin: to certify or to refute it takes 2500 times as many draws"};
 }
 
 }  // namespace
 
 std::vector<Fault> direction_faults() {
-  return {theta_uniform_cone(), collapsed_cone(), blunt_lobe(), leaky_glossy()};
+  return {theta_uniform_cone(), collapsed_cone(), blunt_lobe(), leaky_glossy(),
+          half_density(),       crowded_cosine(), half_cone(),  hardly_steep_cosine()};
 }
 
 }  // namespace fairlight

@@ -42,10 +42,33 @@ Fault power_weighted_by_number() {
           both(sum_by_power<faults::PowerWeightedByNumber>("pick.power.1000", lights, lights.largest_of_n()))};
 }
 
+Fault distance_not_squared() {
+  const SphereFromOrigin far{{3, 4, 12}, 1};
+  return {"distance-not-squared", "measure", "Baikal #82",
+          both(sphere_irradiance_claim<faults::DistanceNotSquared>("sphere_light.by_visible.above", "", far, up,
+                                                                   far.area_bound() * 7))};
+}
+
+Fault half_with_density_of_whole() {
+  const SphereFromOrigin far{{3, 4, 12}, 1};
+  return {"visible-half-density-of-whole", "sample against pdf", "pbrt-v4 #215",
+          both(sphere_irradiance_claim<faults::HalfWithDensityOfWhole>("sphere_light.by_visible.above", "", far, up,
+                                                                       far.area_bound()))};
+}
+
+Fault thresholds_not_cumulative() {
+  const ManyLights lights(1000, 0.5);
+  return {
+      "thresholds-not-cumulative", "lobe selection", "UnitySSPathTracingURP #8",
+      both(sum_by_power<faults::ThresholdsNotCumulative>("pick.power.1000", lights, lights.largest_by_power()))};
+}
+
 }  // namespace
 
 std::vector<Fault> light_faults() {
-  return {radius_written_in(), cosine_missing(), area_for_solid_angle(), power_weighted_by_number()};
+  return {radius_written_in(),        cosine_missing(),       area_for_solid_angle(),
+          power_weighted_by_number(), distance_not_squared(), half_with_density_of_whole(),
+          thresholds_not_cumulative()};
 }
 
 }  // namespace fairlight

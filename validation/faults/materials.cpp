@@ -7,18 +7,13 @@ namespace {
 
 template <template <class> class Glass>
 std::vector<Claim> inside_glass() {
-  std::vector<Claim> claims{glass_energy<double, Glass>("dielectric.energy"),
-                            glass_energy<Packet, Glass>("dielectric.energy")};
-  add_mean(claims, glass_albedo<Glass>("dielectric.inside.albedo", {0, 30, 60}, false));
-  add_mean(claims, glass_diffuse<Glass>("dielectric.inside.diffuse", false));
-  return claims;
+  return {glass_energy<double, Glass>("dielectric.energy"),
+          mean_claim(glass_albedo<Glass>("dielectric.inside.albedo", {0, 30, 60}, false)),
+          mean_claim<Packet>(glass_diffuse<Glass>("dielectric.inside.diffuse", false))};
 }
 
 Fault unscaled_refraction() {
-  std::vector<Claim> claims = inside_glass<faults::UnscaledDielectric>();
-  add_mean(claims, glass_albedo<faults::UnscaledDielectric>("dielectric.outside.albedo", {0, 60, 80}, true));
-  add_mean(claims, glass_diffuse<faults::UnscaledDielectric>("dielectric.outside.diffuse", true));
-  return {"refraction-unscaled", "weight", "caramel #36", claims};
+  return {"refraction-unscaled", "weight", "caramel #36", inside_glass<faults::UnscaledDielectric>()};
 }
 
 Fault leaky_glass() {
@@ -26,22 +21,36 @@ Fault leaky_glass() {
           inside_glass<faults::LeakyDielectric>()};
 }
 
+// The rows of an experiment, in double and in packets.
+template <class Experiment>
+std::vector<Claim> both(const Experiment& wrong) {
+  return {mean_claim<double>(wrong), mean_claim<Packet>(wrong)};
+}
+
 Fault own_density() {
-  std::vector<Claim> claims;
-  add_mean(claims, two_lambertians<faults::OwnDensityMixture>("mixture.lambertians.albedo"));
-  return {"mixture-own-density", "sample against pdf", "OpenShadingLanguage #2054", claims};
+  return {"mixture-own-density", "sample against pdf", "OpenShadingLanguage #2054",
+          both(two_lambertians<faults::OwnDensityMixture>("mixture.lambertians.albedo"))};
 }
 
 Fault unpaid_lobe() {
-  std::vector<Claim> claims;
-  add_mean(claims, mirror_and_lambertian<faults::UnpaidMixture>("mixture.mirror.albedo"));
-  return {"mixture-lobe-unpaid", "weight", "mitsuba3 bcc10a142", claims};
+  return {"mixture-lobe-unpaid", "weight", "mitsuba3 bcc10a142",
+          both(mirror_and_lambertian<faults::UnpaidMixture>("mixture.mirror.albedo"))};
+}
+
+Fault number_reused() {
+  return {"mixture-number-reused", "reused number", "pbrt-v4 795c619b",
+          both(two_lambertians<faults::NumberReusedWrongly>("mixture.lambertians.albedo"))};
+}
+
+Fault cosine_twice() {
+  return {"cosine-twice", "weight", "mitsuba3 #1011",
+          both(mirror_and_lambertian<faults::CosineTwice>("mixture.mirror.albedo"))};
 }
 
 }  // namespace
 
 std::vector<Fault> material_faults() {
-  return {unscaled_refraction(), leaky_glass(), own_density(), unpaid_lobe()};
+  return {unscaled_refraction(), leaky_glass(), own_density(), unpaid_lobe(), number_reused(), cosine_twice()};
 }
 
 }  // namespace fairlight

@@ -19,25 +19,25 @@ Fault no_jacobian() {
 
 Fault unmasked() {
   const auto law = visible_normals_law<faults::UnmaskedNormals>("ggx.isotropic", {0.3, 0.3, 0.8});
-  Fault fault{"ggx-density-without-masking", "sample against pdf", "three-gpu-pathtracer #847",
-              claims_of_draws(law)};
+  Fault fault{"ggx-density-without-masking", "sample against pdf", "three-gpu-pathtracer #847", {law_claim(law)}};
   add(fault, conductor_density<Ggx, faults::UnmaskedNormals>("rough_conductor.density", {0.3, 0.3, 0.6}));
   return fault;
 }
 
 Fault unweighted() {
   const auto law = visible_normals_law<faults::UnweightedNormals>("ggx.anisotropic", {0.6, 0.25, 0.7});
-  Fault fault{"ggx-normals-not-visible", "sample against pdf", "pbrt-v4 #215", claims_of_draws(law)};
+  Fault fault{"ggx-normals-not-visible", "sample against pdf", "pbrt-v4 #215", {law_claim(law)}};
   add(fault, conductor_weight<Ggx, faults::UnweightedNormals>("rough_conductor.albedo.grazing", {0.3, 0.3, 0.05}));
   return fault;
 }
 
 Fault independent_shadowing() {
   Fault fault{"ggx-shadowing-independent", "weight", "mitsuba3 bcc10a142", {}};
-  add(fault,
-      conductor_weight<faults::IndependentShadowing>("rough_conductor.albedo.smooth_grazing", {1e-4, 1e-4, 2e-4}));
-  add(fault, conductor_weight<faults::IndependentShadowing>("rough_conductor.albedo.rough", {0.6, 0.6, 0.7}));
-  add(fault, conductor_uniform<faults::IndependentShadowing>("rough_conductor.uniform", {0.6, 0.6, 0.8}));
+  const GgxView smooth{1e-4, 1e-4, 2e-4}, rough{0.6, 0.6, 0.7};
+  fault.claims = {
+      mean_claim<Packet>(
+          conductor_weight<faults::IndependentShadowing>("rough_conductor.albedo.smooth_grazing", smooth)),
+      mean_claim<Packet>(conductor_weight<faults::IndependentShadowing>("rough_conductor.albedo.rough", rough))};
   return fault;
 }
 

@@ -1,6 +1,8 @@
 #include <fairlight/validation/analytic/point_sets.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_point_sets.h>
+#include <fairlight/validation/laws.h>
+#include <fairlight/validation/scene_agreements.h>
 
 namespace fairlight {
 namespace {
@@ -15,17 +17,16 @@ Fault one_scramble() {
   return {"sobol-one-scramble",
           "streams",
           "the class of SORT #35",
-          {point_law_claim(wrong), point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
-           three_points_claim(wrong)}};
+          {point_law_claim(wrong), point_moments_claim<double>(wrong), three_points_claim(wrong)}};
 }
 
 Fault one_order() {
   const PointSetKind<faults::OneOrderStratified> wrong{"stratified", ""};
-  return {"strata-one-order",
-          "streams",
-          "Cook 1986 (strata of different dimensions are paired at random)",
-          {point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
-           replicates_claim(product_integral(), wrong), three_points_claim(wrong)}};
+  return {
+      "strata-one-order",
+      "streams",
+      "Cook 1986 (strata of different dimensions are paired at random)",
+      {point_moments_claim<Packet>(wrong), replicates_claim(product_integral(), wrong), three_points_claim(wrong)}};
 }
 
 Fault no_jitter() {
@@ -36,8 +37,42 @@ Fault no_jitter() {
           {three_points_claim(wrong)}};
 }
 
+Fault one_vertex() {
+  const PointSetKind<faults::OneVertexSobolSet> wrong{"padded_sobol", ""};
+  return {"padded-one-vertex",
+          "streams",
+          "the class of SORT #35",
+          {point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
+           vertices_claim<double, faults::OneVertexSobol>("padded_sobol", {}),
+           vertices_claim<Packet, faults::OneVertexSobol>("padded_sobol", {}),
+           cornell_by_sets<double, faults::OneVertexSobol>("sobol", "")}};
+}
+
+Fault same_order() {
+  const PointSetKind<faults::OneOrderSobolSet> wrong{"padded_sobol", ""};
+  return {"padded-one-order",
+          "correlated dimensions",
+          "PBR 4ed, 8.6.5 (padded dimensions are shuffled)",
+          {product_variance_claim(wrong, 1.0 / 6)}};
+}
+
+Fault coarse_numbers() {
+  const LawExperiment stream{"stream.philox", "", "",
+                             []<class Real>(std::type_identity<Real>) { return faults::CoarseNumbers<Real>{}; },
+                             SquareDomain{0, 1}};
+  return {.name = "numbers-of-16-bits",
+          .kind = "streams",
+          .source = "none: a random number made from 16 bits",
+          .claims = {law_moments_claim(stream)},
+          .survives =
+              "its numbers are too small by 2^-17 in the mean, a thousandth of the margin, and fill all cells of a "
+              "law's test evenly. Fine structure is for unit tests of the bits"};
+}
+
 }  // namespace
 
-std::vector<Fault> random_faults() { return {one_replicate(), one_scramble(), one_order(), no_jitter()}; }
+std::vector<Fault> random_faults() {
+  return {one_replicate(), one_scramble(), one_order(), no_jitter(), one_vertex(), same_order(), coarse_numbers()};
+}
 
 }  // namespace fairlight

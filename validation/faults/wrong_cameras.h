@@ -92,4 +92,11 @@ struct RaysThatShareNumbers {
   }
 };
 
+/// The pupil's area is left out of its density. On record: pbrt-v3 #162.
+template <class Real>
+struct PupilWithoutArea : CircularAperture<Real> {
+  using CircularAperture<Real>::CircularAperture;
+  Density<Area, Real> pdf(const Vec2<Real>&) const { return Density<Area, Real>(Real(1)); }
+};
+
 }  // namespace fairlight::faults

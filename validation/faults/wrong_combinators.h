@@ -2,6 +2,8 @@
 
 #include <fairlight/estimators/control_variate.h>
 #include <fairlight/estimators/mis.h>
+#include <fairlight/estimators/pick_one.h>
+#include <fairlight/estimators/roulette.h>
 #include <fairlight/estimators/splitting.h>
 #include <fairlight/estimators/stratification.h>
 
@@ -83,6 +85,116 @@ class HalfJitter : public StratifiedMean<Inner> {
     Source numbers;
     auto next() { return typename Inner::Scalar(numbers.next() * typename Inner::Scalar(0.5f)); }
   };
+};
+
+/// Each of two laws is weighted with the other's density: the weights still sum to one, but the variance is infinite.
+/// On record: the class of three-gpu-pathtracer #847.
+struct DensitiesSwapped {
+  template <class Measure, class Real>
+  static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
+    return PowerHeuristic::weight(n, p, 1 - i);
+  }
+  static double excess(std::size_t laws) { return PowerHeuristic::excess(laws); }
+};
+
+/// Played with the largest reflectance, but paid with the mean of the three. On record: the class of ospray #552.
+struct RoulettePaidByMean {
+  template <class Real, class Source>
+  static Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>&, const Real&, Source& source) {
+    const auto survival = RussianRoulette::play<Real>(max_channel(albedo), source.next());
+    return {survival.alive, Real(Real(3) / (albedo[0] + albedo[1] + albedo[2]))};
+  }
+};
+
+/// A probability above 1, cut to 0.95: nobody is ever saved work. On record: practical-path-guiding #3.
+struct RouletteAtItsCap {
+  template <class Real, class Source>
+  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>&, const Real&, Source& source) {
+    return RussianRoulette::play<Real>(rounded<Real>(0.95), source.next());
+  }
+};
+
+/// The number that chose a light is used again for the point on it, not rescaled. On record: the class of pbrt-v4 795c619b.
+struct OneOfReusingNumbers : OneOf {
+  template <class Real, UniformSource<Real> Source, class Term>
+  static auto sum(int n, Source& source, const Term& term) {
+    Source same = source;
+    const Pick<Real> pick = UniformChoice<Real>(n).sample(next_pair<Real>(source));
+    return Real(term(pick.index, same) / pick.probability);
+  }
+};
+
+/// Every term is given the same numbers: the mean does not mind, the variance does. On record: the class of zenphoton #8.
+struct AllOfOneNumber : AllOf {
+  template <class Real, UniformSource<Real> Source, class Term>
+  static auto sum(int n, Source& source, const Term& term) {
+    const Source first = source;
+    auto total = zero<decltype(term(0, source))>();
+    for (int i = 0; i < n; ++i) {
+      source = first;
+      total += term(i, source);
+    }
+    return total;
+  }
+};
+
+/// Every run is given the same numbers, and brings nothing. On record: the class of SORT #35.
+template <class Inner>
+class SplittingOfOneRun : public Splitting<Inner> {
+ public:
+  SplittingOfOneRun(const Inner& inner, double k) : Splitting<Inner>(inner, k), inner_(inner) {}
+  auto estimate(auto& source) const { return inner_.estimate(source); }
+
+ private:
+  Inner inner_;
+};
+
+/// The control is drawn apart, so the two have nothing in common.
+template <class Inner, class Control>
+class ControlDrawnApart : public ControlVariate<Inner, Control> {
+ public:
+  ControlDrawnApart(const Inner& inner, const Control& control, double c, double mean)
+      : ControlVariate<Inner, Control>(inner, control, c, mean),
+        inner_(inner),
+        control_(control),
+        c_(c),
+        mean_(mean) {}
+  auto estimate(auto& source) const {
+    using Real = typename Inner::Scalar;
+    const Real difference = control_.estimate(source) - rounded<Real>(mean_);
+    return Real(inner_.estimate(source) - difference * rounded<Real>(c_));
+  }
+
+ private:
+  Inner inner_;
+  Control control_;
+  double c_, mean_;
+};
+
+/// As many draws as the grid has cells, wherever they fall.
+template <class Inner>
+class StrataForgotten : public StratifiedMean<Inner> {
+ public:
+  StrataForgotten(const Inner& inner, int columns, int rows)
+      : StratifiedMean<Inner>(inner, columns, rows), inner_(inner), cells_(columns * rows) {}
+  auto estimate(auto& source) const {
+    using Real = typename Inner::Scalar;
+    Real sum(0);
+    for (int i = 0; i < cells_; ++i) sum += inner_.estimate(source);
+    return Real(sum / rounded<Real>(cells_));
+  }
+
+ private:
+  Inner inner_;
+  int cells_;
+};
+
+/// A sum that lets go of what it rounds off. On record: ice_halo_sim #380.
+template <class Real>
+struct PlainSum {
+  Real sum = Real(0);
+  void add(Real x) { sum += x; }
+  Real value() const { return sum; }
 };
 
 }  // namespace fairlight::faults

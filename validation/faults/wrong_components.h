@@ -3,7 +3,7 @@
 #include <fairlight/estimators/pick_one.h>
 #include <fairlight/estimators/roulette.h>
 #include <fairlight/estimators/sphere_light.h>
-#include <fairlight/render/direct_light.h>
+#include <fairlight/estimators/sphere_sampling.h>
 
 /// Wrong variants of the kit's components, each a bug that somebody shipped. They stand in for the right ones
 /// through the same template parameters, and are part of no library.
@@ -51,15 +51,6 @@ struct OneUnweighted : OneOf {
   static auto sum(int n, Source& source, const Term& term) {
     return term(UniformChoice<Real>(n).sample(next_pair<Real>(source)).index, source);
   }
-};
-
-/// Emission counted at every depth, beside the shadow rays. On record: the paper, A.2.
-struct EmissionTwice : DirectLight<AllOf> {
-  template <class Real, class Scene>
-  static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
-    return Real(1);
-  }
-  static constexpr bool finds_all_light() { return false; }
 };
 
 }  // namespace fairlight::faults

@@ -2,6 +2,7 @@
 
 #include <fairlight/estimators/cone.h>
 #include <fairlight/estimators/glossy.h>
+#include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/lobe.h>
 
 /// Wrong variants of the laws of directions and of what is sampled by them, each a bug that somebody shipped.
@@ -69,6 +70,55 @@ struct LeakyGlossy : Glossy<Real> {
     bounce.in.z() = abs(bounce.in.z());
     bounce.weight = this->eval(out, bounce.in) * (bounce.in.z() / this->pdf(out, bounce.in).value());
     return bounce;
+  }
+};
+
+/// The density of a whole sphere's cosines: half as large. On record: the class of raytracing.github.io #145.
+template <class Real>
+struct HalfCosineDensity : CosineHemisphere<Real> {
+  Density<SolidAngle, Real> pdf(const Vec3<Real>& w) const {
+    return Density<SolidAngle, Real>(CosineHemisphere<Real>::pdf(w).value() / Real(2));
+  }
+};
+
+/// Points of the disk below the hemisphere without the root: crowded at the pole. On record: the class of
+/// raytracing.github.io #145.
+template <class Real>
+struct CrowdedCosine : CosineHemisphere<Real> {
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    using std::sqrt;
+    return detail::direction_at(Real(sqrt((Real(1) - u.x()) * (Real(1) + u.x()))), u.x(), u.y());
+  }
+};
+
+/// Uniform directions that are said to be cosine-weighted. Where f is constant every bounce weighs its albedo all the same:
+/// the wrong density hides the wrong draws. On record: raytracing.github.io #933.
+template <class Real>
+struct UniformCalledCosine : CosineHemisphere<Real> {
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    return UniformHemisphere<Real>().sample({Real(1) - u.x(), u.y()});
+  }
+};
+
+/// Directions of one half of a cone, with the density of all of it: the halves make up for each other wherever what is integrated
+/// is the same in both. On record: the class of raytracing.github.io #933.
+template <class Real>
+class HalfCone : public UniformCone<Real> {
+ public:
+  using UniformCone<Real>::UniformCone;
+  explicit HalfCone(const UniformCone<Real>& right) : UniformCone<Real>(right) {}
+  static HalfCone of_sine_squared(Real s) { return HalfCone(UniformCone<Real>::of_sine_squared(s)); }
+  Vec3<Real> sample(const Vec2<Real>& u) const { return UniformCone<Real>::sample({u.x(), u.y() / Real(2)}); }
+};
+
+/// Directions with the cosine's exponent 1e-4 too large.
+template <class Real>
+struct HardlySteepCosine : CosineHemisphere<Real> {
+  Vec3<Real> sample(const Vec2<Real>& u) const {
+    using std::pow;
+    using std::sqrt;
+    const Real z = pow(Real(1) - u.x(), rounded<Real>(1 / 2.0001));
+    return detail::direction_at(z, Real(sqrt((Real(1) - z) * (Real(1) + z))), u.y());
   }
 };
 

@@ -57,4 +57,39 @@ struct PowerWeightedByNumber : PowerChoice<Real> {
   }
 };
 
+/// Area turned into solid angle by the distance, not by its square. On record: the class of Baikal #82.
+template <class Real>
+struct DistanceNotSquared : SphereByVisibleHemisphere<Real> {
+  using SphereByVisibleHemisphere<Real>::SphereByVisibleHemisphere;
+  LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
+    LightSample<Real> sample = SphereByVisibleHemisphere<Real>::sample(from, u);
+    sample.density = Density<SolidAngle, Real>(sample.density.value() / sample.distance);
+    return sample;
+  }
+};
+
+/// Points of the visible half, with the density of the whole sphere. On record: the class of raytracing.github.io #145.
+template <class Real>
+struct HalfWithDensityOfWhole : SphereByVisibleHemisphere<Real> {
+  using SphereByVisibleHemisphere<Real>::SphereByVisibleHemisphere;
+  LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
+    LightSample<Real> sample = SphereByVisibleHemisphere<Real>::sample(from, u);
+    sample.density = Density<SolidAngle, Real>(sample.density.value() / Real(2));
+    return sample;
+  }
+};
+
+/// The number is compared with each light's own probability, not with their sum so far. On record: UnitySSPathTracingURP #8.
+template <class Real>
+struct ThresholdsNotCumulative : PowerChoice<Real> {
+  using PowerChoice<Real>::PowerChoice;
+  Pick<Real> sample(const Vec2<Real>& u) const {
+    Real index = rounded<Real>(this->size() - 1);
+    for (int i = this->size() - 1; i >= 0; --i) {
+      index = select(u.x() < this->probability(Index<Real>(i)), rounded<Real>(i), index);
+    }
+    return {whole(index), Density<Discrete, Real>(this->probability(whole(index)))};
+  }
+};
+
 }  // namespace fairlight::faults

@@ -43,6 +43,8 @@ class WrongMixture : public Mixture<First, Second> {
       : Mixture<First, Second>(first, second), first_(first), second_(second) {}
 
  protected:
+  Real first_probability() const { return first_.probability; }
+
   /// The number that `of` gives for the lobe that was chosen.
   template <class Of>
   Real of_chosen(const Numbers& u, const Of& of) const {
@@ -82,6 +84,36 @@ struct UnpaidMixture : WrongMixture<First, Second> {
     Bounce<Real> bounce = Wrong::sample(out, u);
     const Real probability = this->of_chosen(u, [](const auto& lobe) { return lobe.probability; });
     bounce.weight *= select(bounce.density.value() > Real(0), Real(1), probability);
+    return bounce;
+  }
+};
+
+/// The number that chose a lobe is rescaled by times its probability, not by dividing. On record: pbrt-v4 795c619b.
+template <class First, class Second>
+struct NumberReusedWrongly : WrongMixture<First, Second> {
+  using Wrong = WrongMixture<First, Second>;
+  using Real = typename Wrong::Real;
+  using Wrong::Wrong;
+
+  Bounce<Real> sample(const Vec3<Real>& out, const typename Wrong::Numbers& u) const {
+    const Real probability = this->of_chosen(u, [](const auto& lobe) { return lobe.probability; });
+    const Mask<Real> second = probability != this->first_probability();
+    typename Wrong::Numbers reused = u;
+    reused[1] = (u[0] - select(second, this->first_probability(), Real(0))) * probability;
+    return Wrong::sample(out, reused);
+  }
+};
+
+/// The cosine twice: in f and in the weight. On record: the class of mitsuba3 #1011.
+template <class First, class Second>
+struct CosineTwice : WrongMixture<First, Second> {
+  using Wrong = WrongMixture<First, Second>;
+  using Real = typename Wrong::Real;
+  using Wrong::Wrong;
+
+  Bounce<Real> sample(const Vec3<Real>& out, const typename Wrong::Numbers& u) const {
+    Bounce<Real> bounce = Wrong::sample(out, u);
+    bounce.weight *= bounce.in.z();
     return bounce;
   }
 };

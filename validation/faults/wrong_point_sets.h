@@ -3,6 +3,7 @@
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
+#include <fairlight/validation/padded_sets.h>
 
 /// Point sets whose numbers are not as random as they look.
 namespace fairlight::faults {
@@ -66,6 +67,114 @@ struct MidpointLatinHypercube : LatinHypercube<Real> {
   }
 
   Replicate replicate;
+};
+
+/// Every vertex of a path has the same numbers.
+struct OneVertexSobol : PaddedSobol {
+  using PaddedSobol::PaddedSobol;
+
+  template <class Real>
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+    return PaddedSobol::block(PathVertex<Real>{at.pixel, at.sample, Word<Real>(0u)}, b);
+  }
+};
+
+/// The points of a set come in the same order in every pair: each is right, but pairs depend on each other over a set.
+struct OneOrderSobol : PaddedSobol {
+  OneOrderSobol(const StreamKey& of, std::uint32_t n) : PaddedSobol(of, n), key(of) {}
+
+  template <class Real>
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+    const auto point = sets().point_of(at.sample);
+    const auto number = [&](std::uint32_t i, std::size_t shift) {
+      const auto seeds = sets().shared_words(key, at, b, i);
+      return Real(unit_number(reverse_bits(scramble_upwards(point, seeds[shift], seeds[2])), Word<Real>(0u)));
+    };
+    return {number(0, 0), number(0, 1), number(1, 0), number(1, 1), number(0, 3)};
+  }
+
+  StreamKey key;
+};
+
+template <class Real>
+using OneVertexSobolSet = PaddedSet<Real, OneVertexSobol>;
+template <class Real>
+using OneOrderSobolSet = PaddedSet<Real, OneOrderSobol>;
+
+/// The first point is left out, and one more taken at the end: no net any more. On record: pytorch #32047, scikit-optimize #953.
+template <class Real>
+struct SobolWithoutFirst : OwenSobol<Real> {
+  using OwenSobol<Real>::OwenSobol;
+  PointSource<SobolWithoutFirst> source(std::uint32_t first) const { return {*this, first}; }
+  std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
+    return OwenSobol<Real>::pair(points + Word<Real>(1u), k);
+  }
+};
+
+/// All points are shifted alike, digit by digit, not scrambled. On record: openturns #2686.
+template <class Real>
+struct ShiftedSobol : OwenSobol<Real> {
+  ShiftedSobol(const StreamKey& key, std::uint32_t number, std::uint32_t n)
+      : OwenSobol<Real>(key, number, n), replicate(key, number) {}
+
+  PointSource<ShiftedSobol> source(std::uint32_t first) const { return {*this, first}; }
+  std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
+    const auto shifts = replicate.shared(k);
+    const auto number = [&](std::uint32_t dimension, std::size_t shift) {
+      return unit_number(sobol(dimension % sobol_dimensions, points) ^ Word<Real>(shifts[shift]),
+                         Word<Real>(shifts[shift + 1]));
+    };
+    return {number(2 * k, 0), number(2 * k + 1, 2)};
+  }
+
+  Replicate replicate;
+};
+
+/// One jitter for all points of a replicate, not one for each.
+template <class Real>
+struct OneJitterLatinHypercube : LatinHypercube<Real> {
+  OneJitterLatinHypercube(const StreamKey& key, std::uint32_t number, std::uint32_t n)
+      : LatinHypercube<Real>(key, number, n), replicate(key, number) {}
+
+  PointSource<OneJitterLatinHypercube> source(std::uint32_t first) const { return {*this, first}; }
+  std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
+    const auto seeds = replicate.shared(k);
+    const auto jitter = replicate.own(Word<Real>(0u), k);
+    return {in_stratum(permute(points, this->size(), seeds[0], seeds[1]), this->size(), jitter[0], jitter[1]),
+            in_stratum(permute(points, this->size(), seeds[2], seeds[3]), this->size(), jitter[2], jitter[3])};
+  }
+
+  Replicate replicate;
+};
+
+/// Every pixel is given the numbers of the first. On record: the class of SORT #35.
+struct NumbersOfOnePixel {
+  static Five<double> of(const StreamKey& key, std::uint32_t, std::uint32_t path, std::uint32_t vertex) {
+    return IndependentNumbers(key).block<double>({0, path, vertex}, 0);
+  }
+};
+
+/// Every vertex of a path is given the numbers of the first. On record: OpenCL-path-tracing-tutorial-3-Part-2 #2.
+struct NumbersOfOneVertex {
+  static Five<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t) {
+    return IndependentNumbers(key).block<double>({pixel, path, 0}, 0);
+  }
+};
+
+/// Numbers of 16 binary digits.
+template <class Real>
+struct CoarseNumbers {
+  using Scalar = Real;
+  using Point = Vec2<Real>;
+  using Measure = UnitCube;
+  Point sample(const Vec2<Real>& u) const { return {cut(u.x()), cut(u.y())}; }
+  Density<Measure, Real> pdf(const Point&) const { return Density<Measure, Real>(Real(1)); }
+
+ private:
+  static Real cut(Real u) {
+    using std::floor;
+    return floor(u * Real(65536)) / Real(65536);
+  }
 };
 
 }  // namespace fairlight::faults

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <fairlight/estimators/vertex_source.h>
+
+namespace fairlight {
+
+/// The numbers of vertices by jittered strata, padded: every pair of every vertex has a grid of its own, of 2^ceil(m/2) by
+/// 2^floor(m/2) cells, with one of the 2^m points of a set in each, in an order of the pair's own; a single number has 2^m strata.
+/// Formula  (u_0, u_1) = ((column, row) + jitter) / (columns, rows), with (column, row) the cell order(i)
+/// Measure  the unit cube
+/// Domain   sets of n = 2^m <= 1024 points (throws std::invalid_argument otherwise)
+/// Random   four words for five numbers of a set's points, and those of an independent block for the jitter
+/// Source   Cook 1986, "Stochastic sampling in computer graphics"; PBR 4ed, 8.5 (StratifiedSampler)
+class PaddedStrata {
+ public:
+  PaddedStrata(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}
+
+  const SetsOfPoints& sets() const { return sets_; }
+
+  template <class Real>
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+    using W = Word<Real>;
+    const auto words = sets_.shared_words(key_, at, b, 0);
+    const W point = sets_.point_of(at.sample);
+    Five<Digits<W>> digits = independent_digits(key_, at, b);
+    const std::uint32_t rows = sets_.bits() / 2;  // the logarithms of their numbers
+    const std::uint32_t columns = sets_.bits() - rows;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const W cell = place(point, words, i);
+      digits[2 * i] = in_stratum_of(cell & W((1u << columns) - 1), columns, digits[2 * i]);
+      digits[2 * i + 1] = in_stratum_of(cell >> static_cast<int>(columns), rows, digits[2 * i + 1]);
+    }
+    digits[4] = in_stratum_of(place(point, words, 2), sets_.bits(), digits[4]);
+    return unit_numbers<Real>(digits);
+  }
+
+ private:
+  // Of a point in order i: a digital shift, ten bits of a word for each, makes every place as likely as any other.
+  template <class W>
+  W place(const W& point, const std::array<W, 4>& words, std::size_t i) const {
+    const W shift = words[3] >> (10 * static_cast<int>(i));
+    return shuffled(point, sets_.bits(), words[i]) ^ (shift & W(sets_.size() - 1));
+  }
+
+  // One of 2^bits strata, and the jitter's digits after the stratum's.
+  template <class W>
+  static Digits<W> in_stratum_of(const W& stratum, std::uint32_t bits, const Digits<W>& jitter) {
+    if (bits == 0) return jitter;
+    const int own = static_cast<int>(bits);
+    return {(stratum << (32 - own)) | (jitter.high >> own), (jitter.high << (32 - own)) | (jitter.low >> own)};
+  }
+
+  StreamKey key_;
+  SetsOfPoints sets_;
+};
+
+}  // namespace fairlight

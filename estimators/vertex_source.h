@@ -1,0 +1,165 @@
+#pragma once
+
+#include <bit>
+#include <string>
+
+#include <fairlight/estimators/point_set.h>
+
+namespace fairlight {
+
+/// Whose numbers they are, a path a lane: lanes may be at different pixels, samples and vertices.
+template <class Real>
+struct PathVertex {
+  Word<Real> pixel, sample, vertex;
+};
+
+/// The numbers of a vertex are made five at a time: two pairs, each spread as a pair if at all, and one alone. It is what a
+/// shadow ray, a roulette and a bounce take, and in packets what a Philox block holds.
+template <class Number>
+using Five = std::array<Number, 5>;
+
+/// 64 binary digits of a number in [0,1), of which packets use the first 24.
+template <class W>
+struct Digits {
+  W high, low;
+};
+
+/// Four random words for a sample, or a set, of a pixel at a vertex.
+template <class Real>
+std::array<Word<Real>, 4> vertex_words(const StreamKey& key, std::uint32_t i, const Word<Real>& sample,
+                                       const PathVertex<Real>& at) {
+  using W = Word<Real>;
+  return Philox<W>::draw({W(i), sample, at.vertex, at.pixel}, {W(key.words()[0]), W(key.words()[1])});
+}
+
+/// Five independent numbers of block b: in packets 24 digits of each, the last one's the lower 8 of three words. What a set shares
+/// is counted from 2^31 on.
+template <class Real>
+Five<Digits<Word<Real>>> independent_digits(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) {
+  using W = Word<Real>;
+  const auto first = vertex_words(key, 4 * b, at.sample, at);
+  if constexpr (lanes<Real> == 1) {
+    const auto second = vertex_words(key, 4 * b + 1, at.sample, at);
+    const auto third = vertex_words(key, 4 * b + 2, at.sample, at);
+    return {{{first[0], first[1]},
+             {first[2], first[3]},
+             {second[0], second[1]},
+             {second[2], second[3]},
+             {third[0], third[1]}}};
+  } else {
+    const W low(0xFFu), none(0u);
+    const W last = ((first[0] & low) << 24) | ((first[1] & low) << 16) | ((first[2] & low) << 8);
+    return {{{first[0], none}, {first[1], none}, {first[2], none}, {first[3], none}, {last, none}}};
+  }
+}
+
+/// As numbers.
+template <class Real>
+Five<Real> unit_numbers(const Five<Digits<Word<Real>>>& digits) {
+  Five<Real> numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = unit_number(digits[i].high, digits[i].low);
+  return numbers;
+}
+
+/// Numbers of vertices that are independent of each other, all of them.
+/// Source   Salmon et al. 2011
+class IndependentNumbers {
+ public:
+  explicit IndependentNumbers(const StreamKey& key, std::uint32_t /*points of a set*/ = 1) : key_(key) {}
+
+  template <class Real>
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+    return unit_numbers<Real>(independent_digits(key_, at, b));
+  }
+
+ private:
+  StreamKey key_;
+};
+
+/// A pixel's samples may come in sets of n = 2^m points that are spread together: samples 0 .. n-1, n .. 2n-1 and so on.
+/// Sets, pixels, vertices, pairs and singles are independent of each other.
+class SetsOfPoints {
+ public:
+  /// Throws std::invalid_argument unless n is a power of two from 1 to 1024.
+  explicit SetsOfPoints(std::uint32_t n) : bits_(static_cast<std::uint32_t>(std::bit_width(n)) - 1) {
+    if (!std::has_single_bit(n) || n > 1024)
+      throw std::invalid_argument("a set of " + std::to_string(n) +
+                                  " points (give a power of two, from 1 to 1024)");
+  }
+
+  std::uint32_t bits() const { return bits_; }
+  std::uint32_t size() const { return 1u << bits_; }
+
+  template <class W>
+  W set_of(const W& sample) const {
+    return sample >> static_cast<int>(bits_);
+  }
+  template <class W>
+  W point_of(const W& sample) const {
+    return sample & W(size() - 1);
+  }
+
+  /// Four random words that the points of a set share: of block b, two for i = 0 and 1.
+  template <class Real>
+  std::array<Word<Real>, 4> shared_words(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b,
+                                         std::uint32_t i) const {
+    constexpr std::uint32_t shared = 0x80000000u;
+    return vertex_words(key, shared | (2 * b + i), set_of(at.sample), at);
+  }
+
+ private:
+  std::uint32_t bits_;
+};
+
+/// Where point i < 2^bits <= 1024 comes in an order that a random word says: four rounds of an affine map and a shift, each one
+/// to one. What two dimensions have in common that are padded by it varies within 3 % as under random permutations.
+template <class W>
+W shuffled(const W& i, std::uint32_t bits, const W& word) {
+  const W mask((1u << bits) - 1);
+  const int half = static_cast<int>((bits + 1) / 2);
+  W x = i;
+  for (int round = 0; round < 4; ++round) {
+    x = (x * ((word >> (5 * round)) | W(1u)) + (word >> (7 * round + 3))) & mask;
+    x ^= x >> half;
+  }
+  return x;
+}
+
+/// A UniformSource: the numbers of one vertex of a path, a path a lane. `numbers.block(at, b)` makes five at a time. A number is a
+/// function of (key, pixel, sample, vertex, dimension), whatever lane it is in.
+/// Source   Salmon et al. 2011; Pharr, Jakob, Humphreys, PBR 4ed, 8.3 (pairs and single numbers are asked for as such)
+template <class Real, class Numbers>
+class VertexSource {
+ public:
+  VertexSource(const Numbers& numbers, const PathVertex<Real>& at) : numbers_(numbers), at_(at) {}
+
+  /// The next two dimensions.
+  std::array<Real, 2> pair() {
+    if (pairs_left_ == 0) {
+      block_ = numbers_.template block<Real>(at_, blocks_++);
+      pairs_left_ = 2;
+      singles_[0] = block_[4];
+      singles_left_ = 1;
+    }
+    const std::size_t i = 4 - 2 * pairs_left_--;
+    return {block_[i], block_[i + 1]};
+  }
+
+  /// The next dimension: one that a block has left; or the first of a pair, of which the second is then left.
+  Real next() {
+    if (singles_left_ != 0) return singles_[--singles_left_];
+    const std::array<Real, 2> two = pair();
+    singles_[singles_left_++] = two[1];
+    return two[0];
+  }
+
+ private:
+  const Numbers& numbers_;
+  PathVertex<Real> at_;
+  Five<Real> block_{};
+  std::array<Real, 2> singles_{};
+  std::uint32_t blocks_ = 0;
+  std::size_t pairs_left_ = 0, singles_left_ = 0;
+};
+
+}  // namespace fairlight

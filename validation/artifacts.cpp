@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <stdexcept>
+
+#include <fairlight/render/raster.h>
+#include <fairlight/render/whole_file.h>
+#include <fairlight/validation/artifacts.h>
+#include <fairlight/validation/axes.h>
+#include <fairlight/validation/charts.h>
+#include <fairlight/validation/report.h>
+
+namespace fairlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string row(const char* format, auto... values) {
+  char buffer[256];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  WholeFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw std::runtime_error("cannot make the folder \"" + folder + "\" (" + error.message() + ")");
+}
+
+// "stem.end" where there is one such file, else "stem_i.end".
+std::string numbered(const std::string& stem, std::size_t i, std::size_t n, const std::string& end) {
+  return stem + (n > 1 ? "_" + std::to_string(i) : "") + end;
+}
+
+void write_cells(const std::string& stem, const Evidence::Cells& cells) {
+  std::string csv = "row,column,expected,counted,deviations,p\n";
+  std::vector<Plane> planes{{"expected", {}}, {"counted", {}}, {"deviations", {}}, {"p", {}}};
+  for (std::size_t i = 0; i < cells.counts.size(); ++i) {
+    const CellResidue residue = cell_residue(cells, i);
+    const auto columns = static_cast<std::size_t>(cells.columns);
+    const auto counted = static_cast<double>(cells.counts[i]);
+    csv += row("%zu,%zu,%.10g,%.0f,%.5g,%.5g\n", i / columns, i % columns, residue.expected, counted,
+               residue.deviations, residue.p);
+    const std::array<double, 4> values{residue.expected, counted, residue.deviations, residue.p};
+    for (std::size_t plane = 0; plane < 4; ++plane) {
+      planes[plane].values.push_back(static_cast<float>(values[plane]));
+    }
+  }
+  write_text(stem + ".csv", csv);
+  write_exr(stem + ".exr", cells.columns, cells.rows, planes);
+}
+
+std::string courses_csv(const std::vector<Evidence::Course>& courses) {
+  std::string csv = "channel,draws,mean,log_too_bright,log_too_dark,log_not_brighter,log_not_darker\n";
+  for (std::size_t c = 0; c < courses.size(); ++c) {
+    for (const auto& [draws, mean, wealth] : courses[c].steps()) {
+      csv += row("%zu,%llu,%.17g,%.6g,%.6g,%.6g,%.6g\n", c, static_cast<unsigned long long>(draws), mean,
+                 wealth.too_bright, wealth.too_dark, wealth.not_brighter, wealth.not_darker);
+    }
+  }
+  return csv;
+}
+
+// The channels with the most evidence against them, at most three, in their order.
+std::vector<std::size_t> worst_channels(const std::vector<Evidence::Course>& courses) {
+  std::vector<std::size_t> channels(courses.size());
+  std::iota(channels.begin(), channels.end(), std::size_t{0});
+  const auto against = [&](std::size_t c) {
+    if (courses[c].steps().empty()) return 0.0;
+    const Wealth& wealth = courses[c].steps().back().wealth;
+    return std::max(wealth.too_bright, wealth.too_dark);
+  };
+  std::ranges::stable_sort(channels, [&](std::size_t a, std::size_t b) { return against(a) > against(b); });
+  channels.resize(std::min<std::size_t>(channels.size(), 3));
+  std::ranges::sort(channels);
+  return channels;
+}
+
+}  // namespace
+
+void check_folder(const std::string& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return WholeFile::check_writable(folder);
+  if (!fs::is_directory(folder, error)) {
+    throw std::runtime_error("cannot write into \"" + folder + "\" (it is no folder)");
+  }
+  WholeFile::check_writable(folder + "/finding");
+}
+
+std::vector<std::string> write_artifacts(const std::string& folder, const Outcome& outcome,
+                                         const Conformance& conformance) {
+  const std::string place = (fs::path(folder) / outcome.claim->name).string();
+  make_folder(place);
+  nlohmann::json json = outcome_json(outcome, conformance);
+  json["statement"] = outcome.claim->statement;
+  json["source"] = outcome.claim->source;
+  write_json(place + "/finding.json", json);
+  std::vector<std::string> pictures;
+  const auto draw = [&](const std::string& file, const Canvas& canvas) {
+    pictures.push_back(place + "/" + file);
+    canvas.write(pictures.back());
+  };
+  const auto& laws = outcome.evidence.laws;
+  const auto& means = outcome.evidence.means;
+  const std::string title = outcome.claim->name + ": " + name(outcome.finding.verdict);
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    write_cells(place + "/" + numbered("cells", i, laws.size(), ""), laws[i]);
+    draw(numbered("p_map", i, laws.size(), ".png"), p_map_chart(title, laws[i]));
+    draw(numbered("histogram", i, laws.size(), ".png"), histogram_chart(title, laws[i]));
+  }
+  if (!means.empty()) write_text(place + "/wealth.csv", courses_csv(means));
+  for (std::size_t c : worst_channels(means)) {
+    const std::string channel = means.size() > 1 ? ", channel " + std::to_string(c) : "";
+    draw(numbered("wealth", c, means.size(), ".png"), wealth_chart(title + channel, means[c]));
+  }
+  return pictures;
+}
+
+std::string write_intervals(const std::string& folder, const std::vector<Outcome>& outcomes) {
+  make_folder(folder);
+  Canvas canvas(1200, 560);
+  canvas.text(20, 14, "the bias of every claim, in units of its margin: intervals");
+  const auto n = static_cast<double>(outcomes.size());
+  const Axes axes(canvas, {90, 70, 1180, 490}, {0, n}, {-2, 2});
+  axes.draw("claims", "");
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Finding& finding = outcomes[i].finding;
+    const double x = axes.x(static_cast<double>(i) + 0.5);
+    const Colour colour = finding.verdict == Verdict::certified ? Colour{20, 140, 70}
+                          : finding.verdict == Verdict::biased  ? Colour{200, 30, 30}
+                                                                : Colour{235, 140, 20};
+    double top = axes.y(finding.interval.hi / finding.margin);
+    double bottom = axes.y(finding.interval.lo / finding.margin);
+    if (finding.interval.lo / finding.margin >= 2) bottom += 20;  // off the chart: a mark at its end
+    if (finding.interval.hi / finding.margin <= -2) top -= 20;
+    canvas.line(x, top, x, bottom, colour);
+  }
+  for (double margin : {-1.0, 1.0}) canvas.dashes(90, 1180, Axes::pixel(axes.y(margin)), {0, 0, 0});
+  std::string path = folder + "/intervals.png";
+  canvas.write(path);
+  return path;
+}
+
+}  // namespace fairlight

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace fairlight {
+
+using Colour = std::array<std::uint8_t, 3>;
+
+/// A white sheet to draw charts on. What lies off the sheet is not drawn. Places are pixels, from the top left.
+class Canvas {
+ public:
+  static constexpr int letter_width = 12;
+  static constexpr int letter_height = 14;
+
+  Canvas(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  Colour at(int x, int y) const;
+
+  void rectangle(int left, int top, int right, int bottom,
+                 Colour colour);  ///< from left and top, up to right and bottom
+  void line(double x0, double y0, double x1, double y1, Colour colour);  ///< two pixels wide
+  void dashes(int left, int right, int y, Colour colour);
+  void text(int left, int top, const std::string& words, Colour colour = {0, 0, 0});
+  void text_to(int right, int top, const std::string& words, Colour colour = {0, 0, 0});  ///< that ends there
+
+  /// As a PNG: whole, or std::runtime_error.
+  void write(const std::string& path) const;
+
+ private:
+  int width_, height_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace fairlight

@@ -1,0 +1,42 @@
+#include <fairlight/validation/analytic/furnace.h>
+#include <fairlight/validation/analytic/sphere_over_plane.h>
+#include <fairlight/validation/faults/catalogue.h>
+#include <fairlight/validation/faults/wrong_direct_light.h>
+
+namespace fairlight {
+namespace {
+
+template <class Direct>
+std::vector<Claim> in_furnace() {
+  using Tracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, RouletteByReflectance<>>;
+  return {mean_claim(furnace_radiance<Tracer>("furnace.light", {}, 2))};
+}
+
+template <class Direct>
+std::vector<Claim> with_mirror(const std::string& how) {
+  return {mean_claim(mirror_in_furnace<Direct>(how, {}))};
+}
+
+}  // namespace
+
+std::vector<Fault> direct_light_faults() {
+  using AtWrongVertex = DirectLight<AllOf, faults::DensityAtWrongVertex, Shared<>>;
+  using InFull = DirectLight<AllOf, PointsBy<SphereByCone>, faults::SharedByShadowRaysAlone>;
+  return {
+      {"emission-twice", "double count", "the paper, A.2", in_furnace<faults::EmissionTwice>()},
+      {"emission-unseen", "emission lost", "mitsuba3 #1540", in_furnace<faults::EmissionUnseen>()},
+      {"light-after-roulette", "roulette out of order", "vk_raytrace #13; openmc #241",
+       in_furnace<faults::LightAfterRoulette>()},
+      {"mirror-to-shadow-rays", "MIS of a delta", "three-gpu-pathtracer #174",
+       with_mirror<faults::MirrorsToShadowRays>("light")},
+      {"mirror-with-density", "MIS of a delta", "three-gpu-pathtracer #174",
+       with_mirror<faults::MirrorsWithDensity>("shared")},
+      {"mis-density-at-wrong-vertex", "MIS sum", "mitsuba aa325039f", {mean_claim(shared_light<AtWrongVertex>())}},
+      {"mis-bounces-in-full", "MIS sum", "Moer #59", {mean_claim(shared_light<InFull>())}},
+      {"mis-light-probability-forgotten",
+       "luminaire probability",
+       "redner #56",
+       {mean_claim(shared_lights<faults::ChanceForgottenByBounces>())}}};
+}
+
+}  // namespace fairlight

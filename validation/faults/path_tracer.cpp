@@ -1,0 +1,68 @@
+#include <fairlight/validation/analytic/furnace.h>
+#include <fairlight/validation/faults/catalogue.h>
+#include <fairlight/validation/faults/wrong_directions.h>
+#include <fairlight/validation/faults/wrong_tracers.h>
+#include <fairlight/validation/laws.h>
+
+namespace fairlight {
+namespace {
+
+template <template <class> class Directions>
+using TracerBy = PathTracer<BouncesBy<Directions>, NoDirectLight, RouletteByReflectance<>>;
+using Tracer = TracerBy<CosineHemisphere>;
+using FixedDepth = PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllOf, PointsBy<SphereByCone>>, NoRoulette>;
+
+// The row of the furnace by bounces alone.
+template <class Wrong>
+std::vector<Claim> by_bounces() {
+  return {mean_claim(furnace_radiance<Wrong>("furnace.bounce", {}))};
+}
+template <int k>
+std::vector<Claim> in_the_small() {
+  using Wrong = faults::TracerIn<Tracer, faults::NearHitsIgnored<k>::template In>;
+  return {mean_claim(furnace_radiance<Wrong>("furnace.tiny.bounce", {}, 5, Furnace(1e-3)))};
+}
+
+Fault shadowed_by_itself() {
+  using Direct = DirectLight<AllOf, PointsBy<SphereByCone>>;
+  using Right = PathTracer<BouncesBy<CosineHemisphere>, Direct, RouletteByReflectance<>>;
+  using Wrong = faults::TracerIn<Right, faults::ShadowedByItself>;
+  return {"shadow-acne",
+          "epsilon",
+          "mitsuba3 #785",
+          {mean_claim<Packet>(two_spheres("furnace.two_spheres.cone", {}, 8, always(Wrong())))}};
+}
+
+Fault one_bounce_more() {
+  return {"one-bounce-more",
+          "truncation",
+          "pbrt-v3 #69",
+          {mean_claim(furnace_partial_sum<faults::OneBounceMore<FixedDepth>>("furnace.depth3.cone", {}, 3, 2))}};
+}
+
+}  // namespace
+
+std::vector<Fault> path_tracer_faults() {
+  return {
+      {"depth-called-endless", "truncation", "rpt #5", by_bounces<faults::Truncated<Tracer, 8>>()},
+      one_bounce_more(),
+      {"samples-clamped", "Montelight", "Smerity/montelight-cpp", by_bounces<faults::Clamped<Tracer>>()},
+      {"outliers-left-out", "outliers", "the class of three-gpu-pathtracer #825",
+       by_bounces<faults::WithoutOutliers<Tracer>>()},
+      {"grazing-clipped", "energy", "dspbr-pt #5", by_bounces<TracerBy<faults::GrazingClipped>>()},
+      {"near-hits-ignored", "epsilon", "SORT #29", in_the_small<3>()},
+      {.name = "near-hits-ignored-by-a-micron",
+       .kind = "epsilon",
+       .source = "the class of SORT #29",
+       .claims = in_the_small<6>(),
+       .survives = "in a sphere of 7 mm a micron loses (1e-6 / 14e-3)^2 = 5e-9 of the light at each bounce, and in "
+                   "larger ones less: no claim has such a margin"},
+      shadowed_by_itself(),
+      {"uniform-called-cosine",
+       "two wrongs",
+       "raytracing.github.io #933",
+       {law_moments_claim(cosine_law<faults::UniformCalledCosine>())},
+       by_bounces<TracerBy<faults::UniformCalledCosine>>()}};
+}
+
+}  // namespace fairlight

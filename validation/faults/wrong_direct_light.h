@@ -1,0 +1,80 @@
+#pragma once
+
+#include <fairlight/estimators/roulette.h>
+#include <fairlight/render/direct_light.h>
+
+/// Wrong ways to find the luminaires' light on a path, each a bug that somebody shipped, or of its class.
+namespace fairlight::faults {
+
+/// Emission counted at every depth, beside the shadow rays. On record: the paper, A.2.
+struct EmissionTwice : DirectLight<AllOf> {
+  template <class Real, class Scene>
+  static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
+    return Real(1);
+  }
+  static constexpr bool finds_all_light() { return false; }
+};
+
+/// Luminaires that the camera sees are black. On record: mitsuba3 #1540.
+struct EmissionUnseen : DirectLight<AllOf> {
+  template <class Real, class Scene>
+  static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
+    return Real(0);
+  }
+};
+
+/// Roulette is played before the shadow ray, which is not paid for it. On record: vk_raytrace #13, openmc #241.
+struct LightAfterRoulette : DirectLight<AllOf> {
+  template <class Real, class Scene, class Source, class Bsdf>
+  Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
+                     const Mask<Real>& asked) const {
+    const Survival<Real> survival =
+        RouletteByReflectance<>::play<Real>(bsdf.albedo(), bsdf.albedo(), Real(0), source);
+    return DirectLight<AllOf>::estimate<Real>(scene, vertex, bsdf, source, asked && survival.alive);
+  }
+};
+
+/// What a mirror shows is left to shadow rays, which do not find it. On record: three-gpu-pathtracer #174.
+struct MirrorsToShadowRays : DirectLight<AllOf> {
+  template <class Real, class Scene>
+  static Real emission_weight(const Scene&, const Ray<Real>& ray, const Real&, const Real&) {
+    return select(ray.leaving < Real(0), Real(1), Real(0));
+  }
+};
+
+/// A mirror's direction is given a density, 1, and shares its light with shadow rays. On record: three-gpu-pathtracer #174.
+struct MirrorsWithDensity : DirectLight<AllOf, PointsBy<SphereByCone>, Shared<>> {
+  template <class Real, class Scene>
+  Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
+    const Mask<Real> mirrored = density == Real(0) && ray.leaving >= Real(0);
+    return DirectLight::emission_weight(scene, ray, surface, Real(select(mirrored, Real(1), density)));
+  }
+};
+
+/// The density of the shadow ray is that which it has a metre before the vertex. On record: the class of mitsuba aa325039f.
+struct DensityAtWrongVertex : PointsBy<SphereByCone> {
+  template <class Real>
+  static Density<SolidAngle, Real> pdf(const LightTable<Real>& lights, const Index<Real>& i,
+                                       const Mask<Real>& on_it, const Vec3<Real>& from,
+                                       const Vec3<Real>& direction) {
+    return PointsBy<SphereByCone>::pdf(lights, i, on_it, Vec3<Real>(from - direction), direction);
+  }
+};
+
+/// What a bounce finds is counted in full, beside the shadow rays' share. On record: Moer #59.
+struct SharedByShadowRaysAlone : Shared<> {
+  template <class Measure, class Real>
+  static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
+    return i == 0 ? Shared<>::weight(n, p, i) : Real(1);
+  }
+};
+
+/// Which light a shadow ray looks for is drawn, but bounces leave its probability out of their weights. On record: redner #56.
+struct ChanceForgottenByBounces : DirectLight<OneOf, PointsBy<SphereByCone>, Shared<>> {
+  template <class Real, class Scene>
+  Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
+    return DirectLight<AllOf, PointsBy<SphereByCone>, Shared<>>().emission_weight(scene, ray, surface, density);
+  }
+};
+
+}  // namespace fairlight::faults

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cmath>
+
+#include <fairlight/render/path_tracer.h>
+
+/// Wrong path tracers, and scenes that answer their rays wrongly; each a bug that somebody shipped, or of its class.
+namespace fairlight::faults {
+
+/// All terms up to a depth, called the whole series. On record: rpt #5.
+template <class Tracer, int depth>
+struct Truncated : Tracer {
+  Truncated() : Tracer(depth) {}
+};
+
+/// A bounce more than was asked for. On record: pbrt-v3 #69.
+template <class Tracer>
+struct OneBounceMore : Tracer {
+  explicit OneBounceMore(int depth) : Tracer(depth + 1) {}
+};
+
+/// Samples are clamped to [0,1] before they are averaged. On record: Smerity/montelight-cpp.
+template <class Tracer>
+struct Clamped : Tracer {
+  template <class Real, class Scene, class Source>
+  Rgb<Real> radiance(const Scene& scene, const Ray<Real>& ray, Source& source) const {
+    Rgb<Real> radiance = Tracer::template radiance<Real>(scene, ray, source);
+    for (Real& channel : radiance) channel = select(channel < Real(1), channel, Real(1));
+    return radiance;
+  }
+};
+
+/// Bright samples are taken for errors and left out. On record: the class of three-gpu-pathtracer #825.
+template <class Tracer>
+struct WithoutOutliers : Tracer {
+  template <class Real, class Scene, class Source>
+  Rgb<Real> radiance(const Scene& scene, const Ray<Real>& ray, Source& source) const {
+    const Rgb<Real> radiance = Tracer::template radiance<Real>(scene, ray, source);
+    return select(max_channel(radiance) < Real(6), radiance, zero<Rgb<Real>>());
+  }
+};
+
+/// A tracer whose rays ask a scene that answers wrongly.
+template <class Tracer, template <class> class InScene>
+struct TracerIn : Tracer {
+  template <class Real, class Scene, class Source>
+  Rgb<Real> radiance(const Scene& scene, const Ray<Real>& ray, Source& source) const {
+    return Tracer::template radiance<Real>(InScene<Scene>{scene}, ray, source);
+  }
+};
+
+/// The scene itself, passed on.
+template <class Scene>
+struct SceneAsIs {
+  const Scene& scene;
+
+  const auto& materials() const { return scene.materials(); }
+  const auto& lights() const { return scene.lights(); }
+  auto normal_at(const auto& surface, const auto& position) const { return scene.normal_at(surface, position); }
+  template <class Real>
+  Hit<Real> intersect(const Ray<Real>& ray, const Mask<Real>& asked) const {
+    return scene.intersect(ray, asked);
+  }
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    return scene.visible(ray, distance, target, asked);
+  }
+};
+
+/// What a ray meets before 10^-k metres counts as the surface that it left, and the ray goes on. On record: SORT #29.
+template <int k>
+struct NearHitsIgnored {
+  template <class Scene>
+  struct In : SceneAsIs<Scene> {
+    template <class Real>
+    Hit<Real> intersect(const Ray<Real>& ray, const Mask<Real>& asked) const {
+      const Hit<Real> hit = this->scene.intersect(ray, asked);
+      const Mask<Real> near = hit.distance < rounded<Real>(std::pow(0.1, k));
+      return {select(near, Real(infinity<Real>), hit.distance), select(near, Real(-1), hit.surface)};
+    }
+  };
+};
+
+/// A shadow ray does not know which surface it leaves, and by rounding meets it again. On record: mitsuba3 #785.
+template <class Scene>
+struct ShadowedByItself : SceneAsIs<Scene> {
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    return this->scene.visible({ray.origin, ray.direction, Real(-1)}, distance, target, asked);
+  }
+};
+
+/// Directions of little density are taken for errors, and count nothing. On record: dspbr-pt #5.
+template <class Real>
+struct GrazingClipped : CosineHemisphere<Real> {
+  Density<SolidAngle, Real> pdf(const Vec3<Real>& w) const {
+    const Real p = CosineHemisphere<Real>::pdf(w).value();
+    return Density<SolidAngle, Real>(select(w.z() < rounded<Real>(0.1), Real(infinity<Real>), p));
+  }
+};
+
+}  // namespace fairlight::faults

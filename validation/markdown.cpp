@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <filesystem>
+
+#include <fairlight/stats/seed.h>
+#include <fairlight/validation/markdown.h>
+#include <fairlight/validation/report.h>
+#include <fairlight/version.h>
+
+namespace fairlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text(const char* format, auto... values) {
+  char buffer[128];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+std::string link(const std::string& picture, const std::string& page) {
+  const fs::path base = fs::absolute(page).parent_path();
+  return fs::absolute(picture).lexically_normal().lexically_relative(base.lexically_normal()).generic_string();
+}
+
+std::string code(const std::string& command) { return "```\n" + command + "\n```\n\n"; }
+
+std::string head(const Page& page) {
+  const auto& terms = page.conformance.terms;
+  const auto count = [&](Verdict verdict) {
+    return std::ranges::count_if(page.outcomes, [=](const Outcome& o) { return o.finding.verdict == verdict; });
+  };
+  std::string out = std::string("# fairlight verify: ") + name(overall(page.outcomes)) + "\n\n";
+  out += text("Of %zu claims, %td are certified, %td biased, %td undecided.\n\n", page.outcomes.size(),
+              count(Verdict::certified), count(Verdict::biased), count(Verdict::undecided));
+  out += "| | |\n|---|---|\n";
+  out += "| seed | `" + seed_text(terms.seed) + "` |\n";
+  out += text("| false alarms | %.0e a run of everything |\n", terms.budget);
+  out += text("| miss rate | %.0e a claim, at its margin |\n", terms.beta);
+  out += text("| margin | %.0e of the reference, times what a claim says |\n", terms.margin);
+  out += text("| time | %.1f s on %d threads |\n", page.seconds, page.conformance.threads);
+  out += std::string("| version | ") + version + " |\n\n";
+  return out + "To run it again, draw for draw:\n\n" + code(page.command);
+}
+
+std::string section(const Page& page, const Outcome& outcome, const std::string& path) {
+  const Finding& finding = outcome.finding;
+  std::string out = "## " + outcome.claim->name + ": " + name(finding.verdict) + "\n\n";
+  out += "Claimed (" + outcome.claim->kind + "): " + outcome.claim->statement +
+         ". Source: " + outcome.claim->source + ".\n\n";
+  out += text("The bias is between %+.3g and %+.3g of the reference, ", finding.interval.lo, finding.interval.hi);
+  out += text("the margin %.1e; %llu draws in %.2f s.", finding.margin,
+              static_cast<unsigned long long>(finding.draws), outcome.seconds);
+  out += (finding.note.empty() ? "" : " Note: " + finding.note + ".") + "\n\n" +
+         code(replay(outcome.claim->name, page.conformance));
+  const auto pictures = page.pictures.find(outcome.claim->name);
+  if (pictures == page.pictures.end()) return out;
+  for (const std::string& picture : pictures->second) {
+    out += "![" + fs::path(picture).stem().string() + " of " + outcome.claim->name + "](" + link(picture, path) +
+           ")\n\n";
+  }
+  return out;
+}
+
+std::string table(const std::vector<Outcome>& outcomes) {
+  std::string out = "| claim | verdict | guarantee | margin | bias between | and | draws | seconds |\n";
+  out += "|---|---|---|--:|--:|--:|--:|--:|\n";
+  for (const Outcome& outcome : outcomes) {
+    const Finding& finding = outcome.finding;
+    out += "| " + outcome.claim->name + " | " + name(finding.verdict) + " | " + name(finding.guarantee);
+    out += text(" | %.1e | %+.2e | %+.2e | %llu | %.2f |\n", finding.margin, finding.interval.lo,
+                finding.interval.hi, static_cast<unsigned long long>(finding.draws), outcome.seconds);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string markdown(const Page& page, const std::string& path) {
+  const std::vector<Outcome> sorted = worst_first(page.outcomes);
+  std::string out = head(page);
+  if (!page.overview.empty()) {
+    out += "![the intervals of all claims, in units of their margins](" + link(page.overview, path) + ")\n\n";
+  }
+  for (const Outcome& outcome : sorted) {
+    if (failed(outcome) || page.pictures.contains(outcome.claim->name)) out += section(page, outcome, path);
+  }
+  return out + "## All claims\n\n" + table(sorted);
+}
+
+}  // namespace fairlight

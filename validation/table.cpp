@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include <unistd.h>
+
+#include <fairlight/validation/report.h>
+
+namespace fairlight {
+namespace {
+
+// More rows than this that ask nothing of the reader are grouped.
+constexpr std::size_t many = 40;
+
+// Outcomes that share a row: one, or those whose claims have their first name in common.
+using Group = std::vector<const Outcome*>;
+
+std::string first_name(const Outcome& outcome) {
+  return outcome.claim->name.substr(0, outcome.claim->name.find('.'));
+}
+
+std::string title(const Group& group) {
+  if (group.size() == 1) return group[0]->claim->name;
+  return first_name(*group[0]) + " (" + std::to_string(group.size()) + ")";
+}
+
+std::vector<Group> grouped(const std::vector<Outcome>& outcomes, Rows rows) {
+  const auto quiet = std::ranges::count_if(outcomes, [](const Outcome& o) { return !failed(o); });
+  const bool merge = rows == Rows::grouped && static_cast<std::size_t>(quiet) > many;
+  std::vector<Group> groups;
+  std::map<std::pair<Verdict, std::string>, std::size_t> places;
+  for (const Outcome& outcome : outcomes) {
+    const auto key = std::pair(outcome.finding.verdict, first_name(outcome));
+    if (!merge || failed(outcome) || !places.contains(key)) {
+      if (!failed(outcome)) places[key] = groups.size();
+      groups.push_back({&outcome});
+    } else {
+      groups[places[key]].push_back(&outcome);
+    }
+  }
+  return groups;
+}
+
+// The finding of a row: the widest margin and interval, the sum of the draws.
+Finding finding_of(const Group& group) {
+  Finding all = group[0]->finding;
+  for (const Outcome* outcome : group) {
+    const Finding& one = outcome->finding;
+    all.margin = std::max(all.margin, one.margin);
+    all.interval = {std::min(all.interval.lo, one.interval.lo), std::max(all.interval.hi, one.interval.hi)};
+    if (outcome != group[0]) all.draws += one.draws;
+  }
+  return all;
+}
+
+std::string guarantee_of(const Group& group) {
+  const auto same = [&](const Outcome* o) { return o->finding.guarantee == group[0]->finding.guarantee; };
+  return std::ranges::all_of(group, same) ? name(group[0]->finding.guarantee) : "mixed";
+}
+
+class Table {
+ public:
+  Table(std::FILE* out, const std::vector<Group>& groups) : out_(out) {
+    colours_ = isatty(fileno(out)) != 0 && std::getenv("NO_COLOR") == nullptr;
+    for (const Group& group : groups) width_ = std::max(width_, static_cast<int>(title(group).size()));
+    std::fprintf(out_, "%-*s %-10s %-13s %8s %21s %12s %8s\n", width_, "claim", "verdict", "guarantee", "margin",
+                 "bias between", "draws", "seconds");
+  }
+
+  void row(const Group& group) const {
+    const Finding finding = finding_of(group);
+    double seconds = 0;
+    for (const Outcome* outcome : group) seconds += outcome->seconds;
+    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %+10.2e %+10.2e %12llu %8.2f\n", width_, title(group).c_str(),
+                 colour(finding.verdict), name(finding.verdict), colours_ ? "\033[0m" : "",
+                 guarantee_of(group).c_str(), finding.margin, finding.interval.lo, finding.interval.hi,
+                 static_cast<unsigned long long>(finding.draws), seconds);
+  }
+
+ private:
+  const char* colour(Verdict verdict) const {
+    if (!colours_) return "";
+    return verdict == Verdict::biased ? "\033[1;31m" : verdict == Verdict::undecided ? "\033[33m" : "\033[32m";
+  }
+
+  std::FILE* out_;
+  bool colours_;
+  int width_ = 34;
+};
+
+void print_why(std::FILE* out, const Outcome& outcome, const Conformance& conformance) {
+  if (!outcome.finding.note.empty()) std::fprintf(out, "    %s\n", outcome.finding.note.c_str());
+  if (!failed(outcome)) return;
+  std::fprintf(out, "    %s: %s\n    again: %s\n", outcome.claim->kind.c_str(), outcome.claim->statement.c_str(),
+               replay(outcome.claim->name, conformance).c_str());
+}
+
+// What rows of many have to say, once.
+void print_notes(std::FILE* out, const std::vector<Group>& groups) {
+  std::map<std::string, int> notes;
+  for (const Group& group : groups) {
+    if (group.size() == 1) continue;
+    for (const Outcome* outcome : group) ++notes[outcome->finding.note];
+  }
+  for (const auto& [note, claims] : notes) {
+    if (!note.empty()) std::fprintf(out, "%d %s: %s\n", claims, claims == 1 ? "claim" : "claims", note.c_str());
+  }
+}
+
+}  // namespace
+
+void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const Conformance& conformance,
+                    Rows rows) {
+  const std::vector<Outcome> sorted = worst_first(outcomes);
+  const std::vector<Group> groups = grouped(sorted, rows);
+  const Table table(out, groups);
+  for (const Group& group : groups) {
+    table.row(group);
+    if (group.size() == 1) print_why(out, *group[0], conformance);
+  }
+  print_notes(out, groups);
+}
+
+}  // namespace fairlight
