@@ -34,8 +34,8 @@ std::vector<Wealth> wealth_at_rungs(const BettingTest& test, double margin, doub
   std::vector<Wealth> ladder;
   for (int rung : rungs_of_run(margin)) {
     Wealth wealth = test.wealth_for(margin_of_rung(rung) * scale);
-    if (test.sides() == Sides::not_above) wealth.too_dark = 0, wealth.not_darker = unlimited;
-    if (test.sides() == Sides::not_below) wealth.too_bright = 0, wealth.not_brighter = unlimited;
+    if (test.sides() == Sides::not_above) wealth = {wealth.too_bright, 0, wealth.not_brighter, unlimited};
+    if (test.sides() == Sides::not_below) wealth = {0, wealth.too_dark, unlimited, wealth.not_darker};
     ladder.push_back(wealth);
   }
   return ladder;

@@ -91,6 +91,16 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("verify pick --margin 2", "margin");
   expect_bad_input("verify pick --budget 1", "budget");
   expect_bad_input("verify pick --json missing/a.json", "missing/a.json");
+  expect_bad_input("verify pick --ledger ''", "--ledger");
+  expect_bad_input("verify pick --ledger missing/l", "missing/l");
+  expect_bad_input("verify pick --ledger /dev/null", "/dev/null");
+  expect_bad_input("verify pick --ledger a.json --json ./a.json", "same file");
+  expect_bad_input("verify --since ''", "--since");
+  expect_bad_input("verify --since no-such-revision --list", "no-such-revision");
+  expect_bad_input("verify --since '--output=x' --list", "--output=x");
+  expect_bad_input("ledger", "show");
+  expect_bad_input("ledger show none", "none");
+  expect_bad_input("ledger merge none -o a", "none");
   expect_bad_input("verify pick --seed 12345678901234567", "12345678901234567");
   expect_bad_input("verify importance --margin 1e-6", "cannot be tested on these terms");
   expect_bad_input("verify pick --seconds 0", "seconds");
@@ -107,7 +117,8 @@ TEST(Program, RefusesBadInputInOneSentence) {
 
 TEST(Program, GivesHelpForEveryCommand) {
   const TemporaryFolder folder;
-  for (const char* command : {"", "verify", "audit", "audit faults", "render", "merge", "scenes"}) {
+  for (const char* command : {"", "verify", "audit", "audit faults", "audit ledger", "ledger", "ledger show",
+                              "ledger merge", "render", "merge", "scenes"}) {
     const Result run = fairlight(std::string(command) + " --help", folder);
     EXPECT_EQ(run.status, 0) << command;
     EXPECT_GT(run.out.size(), 40u) << command;
@@ -223,6 +234,58 @@ TEST(Program, VerifiesAndReplays) {
     again["seconds"] = claim["seconds"];
     EXPECT_EQ(again, claim);
   }
+}
+
+const std::string a_run = "verify pick.all.dice.latin --margin 0.05 ";
+
+TEST(Program, AddsRunsUpInALedger) {
+  const TemporaryFolder folder;
+  for (const char* seed : {"1", "2", "3", "3"}) {
+    const Result run = fairlight(a_run + "--ledger l --seed " + seed, folder);
+    ASSERT_EQ(run.status, 0) << run.error;
+    EXPECT_NE(run.out.find("ledger: l, "), std::string::npos) << run.out;
+  }
+  const Result show = fairlight("ledger show l", folder);
+  EXPECT_EQ(show.status, 0) << show.error;
+  EXPECT_NE(show.out.find("pick.all.dice"), std::string::npos) << show.out;
+  EXPECT_EQ(fairlight("ledger merge l -o ./l", folder).status, 2);
+  fairlight(a_run + "--ledger m --seed 3", folder);
+  fairlight(a_run + "--ledger m --seed 4", folder);
+  const Result merged = fairlight("ledger merge l m -o both", folder);
+  EXPECT_EQ(merged.status, 0) << merged.error;
+  EXPECT_NE(merged.out.find("2 entries left out"), std::string::npos)
+      << merged.out;  // 3 twice in l, and again in m
+  EXPECT_NE(fairlight("ledger show both", folder).out.find("     4 "), std::string::npos);
+}
+
+TEST(Program, RefusesADamagedLedgerBeforeItRuns) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(fairlight(a_run + "--ledger l", folder).status, 0);
+  const std::string good = read_file(folder / "l");
+  for (const std::string& bad : {good.substr(0, 10), "fairlight ledger 2" + good.substr(18), "claims\n" + good,
+                                 good.substr(0, 40) + "x" + good.substr(41)}) {
+    write_file(folder / "l", bad);
+    for (const std::string& arguments :
+         {a_run + "--ledger l", std::string("ledger show l"), std::string("ledger merge l -o m")}) {
+      const Result run = fairlight(arguments, folder);
+      EXPECT_EQ(run.status, 2) << arguments;
+      EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
+      EXPECT_EQ(read_file(folder / "l"), bad) << arguments;
+      EXPECT_EQ(folder.files(), 1) << arguments;
+    }
+  }
+  write_file(folder / "l", good.substr(0, good.size() - 5));
+  const Result run = fairlight(a_run + "--ledger l", folder);
+  EXPECT_EQ(run.status, 0) << run.error;
+  EXPECT_NE(run.out.find("cut off"), std::string::npos) << run.out;
+}
+
+TEST(Program, VerifiesWhatAChangeTouches) {
+  const TemporaryFolder folder;
+  const Result run = fairlight("verify pick --since HEAD --list", folder);
+  if (run.status == 2) GTEST_SKIP() << run.error;  // sources without their repository
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.out.find(" claims rest on sources that differ from HEAD"), std::string::npos) << run.out;
 }
 
 TEST(Program, LeavesUndecidedWhatItHasNoTimeFor) {

@@ -99,17 +99,17 @@ void check_header(const std::string& path, std::string_view beginning) {
 
 }  // namespace
 
-Ledger Ledger::read(const std::string& path) {
+void Ledger::add_file(const std::string& path) {
   LockedFile file(path, O_RDONLY);
   file.lock(LOCK_SH, "read");
   const std::string bytes = file.read(0, file.size());
   check_header(path, bytes);
-  Ledger ledger;
+  torn_ = false;
   std::string_view rest = std::string_view(bytes).substr(std::min(bytes.size(), ledger_header.size()));
   for (int number = 2; !rest.empty(); ++number) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) {
-      ledger.torn_ = true;
+      torn_ = true;
       break;
     }
     const std::string_view line = rest.substr(0, end);
@@ -120,8 +120,13 @@ Ledger Ledger::read(const std::string& path) {
       throw std::runtime_error("line " + std::to_string(number) + " of \"" + path +
                                "\" is damaged (remove it to go on without it)");
     }
-    ledger.add(*entry);
+    add(*entry);
   }
+}
+
+Ledger Ledger::read(const std::string& path) {
+  Ledger ledger;
+  ledger.add_file(path);
   return ledger;
 }
 

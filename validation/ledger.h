@@ -31,12 +31,14 @@ class Ledger {
 
   Ledger() = default;
 
-  /// Throws std::runtime_error for a file that cannot be read, is not a ledger or one of another version, is cut inside its first
-  /// line, or is damaged anywhere but at its end.
   static Ledger read(const std::string& path);
 
   /// The same, but empty where there is no such file yet.
   static Ledger read_if_there(const std::string& path);
+
+  /// Adds the entries of a file, one by one. Throws std::runtime_error for a file that cannot be read, is not a ledger or one of another
+  /// version, is cut inside its first line, or is damaged anywhere but at its end.
+  void add_file(const std::string& path);
 
   /// Adds runs that came after. Those with a seed that is here already are left out; entries of several runs that share some with
   /// what is here cannot be taken apart, and the larger is kept.
@@ -53,7 +55,7 @@ class Ledger {
   const LedgerEntry* find(const Key& key) const;
   const std::map<Key, LedgerEntry>& entries() const { return entries_; }
 
-  bool torn() const { return torn_; }                 ///< whether the file ended in the beginning of a line
+  bool torn() const { return torn_; }                 ///< whether the last file ended in the beginning of a line
   std::size_t repeated() const { return repeated_; }  ///< how many entries were left out
 
  private:

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
@@ -13,10 +15,9 @@
 namespace fairlight {
 namespace {
 
-Ledger read_and_tell(const std::string& path) {
-  Ledger ledger = Ledger::read(path);
+void add_and_tell(Ledger& ledger, const std::string& path) {
+  ledger.add_file(path);
   if (ledger.torn()) std::printf("the last line of %s had been cut off, and is left out\n", path.c_str());
-  return ledger;
 }
 
 std::string margin_text(double margin) {
@@ -28,7 +29,8 @@ std::string margin_text(double margin) {
 
 // By the share of the budget and the miss rate that a claim has in a run of this program's whole registry.
 int show(const std::string& path) {
-  const Ledger ledger = read_and_tell(path);
+  Ledger ledger;
+  add_and_tell(ledger, path);
   const Manifest manifest = manifest_of({{.seed = 0}});
   std::printf("%-40s %-16s %6s %14s %9s\n", "claim", "sources", "runs", "draws", "margin");
   bool biased = false;
@@ -48,17 +50,24 @@ int show(const std::string& path) {
   return biased ? 1 : 0;
 }
 
-int merge(const std::vector<std::string>& inputs, const std::string& output) {
+// What takes the place of a ledger takes with it what others add meanwhile.
+void check_output(const std::vector<std::string>& inputs, const std::string& output) {
+  namespace fs = std::filesystem;
   WholeFile::check_writable(output);
-  Ledger all;
   for (const std::string& input : inputs) {
-    const Ledger ledger = read_and_tell(input);
-    for (const auto& [key, entry] : ledger.entries()) all.add(entry);
+    if (fs::weakly_canonical(fs::absolute(input)) != fs::weakly_canonical(fs::absolute(output))) continue;
+    throw std::invalid_argument("-o names \"" + input + "\", which is to be merged (give another name)");
   }
+}
+
+int merge(const std::vector<std::string>& inputs, const std::string& output) {
+  check_output(inputs, output);
+  Ledger all;
+  for (const std::string& input : inputs) add_and_tell(all, input);
   WholeFile file(output);
   file.write(all.text());
   file.commit();
-  std::printf("%zu ledgers merged, %zu entries that were in several taken once: %s\n", inputs.size(),
+  std::printf("%zu ledgers merged, %zu entries left out that were there already: %s\n", inputs.size(),
               all.repeated(), output.c_str());
   return 0;
 }

@@ -30,20 +30,22 @@ void print_torn(std::FILE* out, const std::string& path, const Ledger& ledger) {
 
 LedgerRun::LedgerRun(const std::string& path, const std::vector<const Claim*>& claims, const BuildPlaces& places)
     : path_(path) {
+  WholeFile::check_writable(path);
+  print_torn(stdout, path, Ledger::read_if_there(path));
   Sources sources(places);
   std::map<std::string, std::uint64_t> contents;  // by file
   for (const Claim* claim : claims) {
     if (!contents.contains(claim->file)) contents[claim->file] = sources.content(claim->file);
     contents_[claim->name] = contents[claim->file];
   }
-  WholeFile::check_writable(path);
-  print_torn(stdout, path, Ledger::read_if_there(path));
 }
 
 void LedgerRun::add(std::vector<Outcome>& outcomes, const Conformance& conformance) {
   const std::vector<LedgerEntry> entries = entries_of(outcomes, conformance, contents_);
   if (!entries.empty()) Ledger::append(path_, entries);
   ledger_ = Ledger::read_if_there(path_);
+  runs_ = kept_ = 0;
+  finer_.clear();
   const Manifest manifest = manifest_of(conformance);
   for (Outcome& outcome : outcomes) judge(outcome, manifest.trial(outcome.claim->name));
 }

@@ -1,3 +1,4 @@
+#include <latch>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -134,6 +135,17 @@ TEST(Ledger, MergesToWhatOneWouldHold) {
   EXPECT_EQ(Ledger::read(folder / "m").text(), merged.text());
 }
 
+TEST(Ledger, TakesRunsOfSeveralFilesOneByOne) {
+  const TemporaryFolder folder;
+  Ledger::append(folder / "l", {run("a", 1, 3), run("a", 2, 3)});
+  Ledger::append(folder / "m", {run("a", 2, 3), run("a", 3, 3)});
+  Ledger both;
+  both.add_file(folder / "l");
+  both.add_file(folder / "m");
+  EXPECT_EQ(both.find({"a", 7})->seeds, (std::set<std::uint64_t>{1, 2, 3}));
+  EXPECT_EQ(both.repeated(), 1u);
+}
+
 TEST(Ledger, KeepsTheLargerOfTwoThatShareRuns) {
   Ledger three;
   for (std::uint64_t seed : {1u, 2u, 3u}) three.add(run("a", seed, 3));
@@ -204,6 +216,22 @@ TEST(Ledger, LosesNothingOfTwoWritersAtOnce) {
   const Ledger ledger = Ledger::read(folder / "l");
   EXPECT_EQ(ledger.entries().size(), 4u);
   for (const auto& [key, entry] : ledger.entries()) EXPECT_EQ(entry.seeds.size(), runs) << key.first;
+}
+
+TEST(Ledger, IsBegunOnceByTwoWritersAtOnce) {
+  const TemporaryFolder folder;
+  for (int round = 0; round < 100; ++round) {
+    const std::string path = folder / std::to_string(round);
+    std::latch start(2);
+    const auto write = [&](const std::string& claim) {
+      start.arrive_and_wait();
+      Ledger::append(path, {run(claim, 1, 3)});
+    };
+    std::thread other(write, "a");
+    write("b");
+    other.join();
+    EXPECT_EQ(what_reading_says(path), "");
+  }
 }
 
 TEST(Ledger, RefusesWhatIsNoLedgerInOneSentence) {

@@ -40,6 +40,7 @@ class Tree {
     compile("render/packets.cpp", {"render/tracer.h", "estimators/cone.h"});
     compile("render/unused.cpp", {"render/unused_parts.h"});
     write("build/build.ninja", build_);
+    write("build/generated/version.h", "1");
     fs::create_directories(folder_.path() / "build/include");
     fs::create_directory_symlink(folder_.path(), folder_.path() / "build/include/fairlight");
     if (run_process({"ninja", "-C", folder_ / "build"}).status != 0) throw std::runtime_error("ninja failed");
@@ -66,7 +67,7 @@ class Tree {
  private:
   // The build names headers through its own folder of links, and the compiler's too.
   void compile(const std::string& source, const std::vector<std::string>& headers) {
-    std::string needs = "x.o: " + path(source) + " /usr/include/stdio.h";
+    std::string needs = "x.o: " + path(source) + " /usr/include/stdio.h generated/version.h";
     for (const std::string& header : headers) needs += " include/fairlight/" + header;
     write(source + ".d", needs + "\n");
     build_ += "build " + source + ".o: cc " + path(source) + "\n";

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+#include <support/temporary_folder.h>
+
+#include <fairlight/validation/ledger_run.h>
+#include <fairlight/validation/registry.h>
+
+namespace fairlight {
+namespace {
+
+using testing::TemporaryFolder;
+
+const Claim& claim() { return *select_claims({"stream.product"}).front(); }
+
+// A run that certified its margin, of which the first rungs show this much of a bias and of none.
+std::vector<Outcome> outcome_of(double too_bright, double shown) {
+  Outcome outcome{&claim(), {}, 0};
+  outcome.finding.verdict = Verdict::certified;
+  outcome.evidence.ladder = {first_rung(0.01), {std::vector(12, Wealth{too_bright, 0, shown, shown})}};
+  return {outcome};
+}
+
+Conformance with_seed(std::uint64_t seed) {
+  Conformance conformance{{.seed = seed, .margin = 0.01}, 1};
+  conformance.evidence = true;
+  return conformance;
+}
+
+std::string summary(const LedgerRun& run) {
+  std::FILE* file = std::tmpfile();
+  run.print(file);
+  std::rewind(file);
+  char text[256] = "";
+  if (std::fgets(text, sizeof text, file) == nullptr) text[0] = '\0';
+  std::fclose(file);
+  return text;
+}
+
+// The share of the budget and the mixture ask for a log wealth between 18 and 27.
+TEST(LedgerRun, CallsAClaimBiasedWhenItsRunsTogetherAre) {
+  const TemporaryFolder folder;
+  LedgerRun run(folder / "l", {&claim()}, this_build());
+  for (std::uint64_t seed : {1u, 2u, 2u, 3u}) {
+    auto outcomes = outcome_of(9, 1);
+    run.add(outcomes, with_seed(seed));
+    EXPECT_EQ(outcomes[0].finding.verdict, seed < 3 ? Verdict::certified : Verdict::biased) << seed;
+    EXPECT_EQ(outcomes[0].finding.note.find("3 runs") != std::string::npos, seed == 3) << outcomes[0].finding.note;
+  }
+}
+
+TEST(LedgerRun, SaysHowMuchFinerAMarginIsCertified) {
+  const TemporaryFolder folder;
+  LedgerRun run(folder / "l", {&claim()}, this_build());
+  auto outcomes = outcome_of(0, 3);
+  run.add(outcomes, with_seed(1));
+  EXPECT_NE(summary(run).find("1 runs: 0 of 1 claims"), std::string::npos) << summary(run);
+  run.add(outcomes, with_seed(2));
+  EXPECT_NE(summary(run).find("2 runs: 1 of 1 claims"), std::string::npos) << summary(run);
+}
+
+TEST(LedgerRun, LeavesOutWhatHasNoEvidence) {
+  const TemporaryFolder folder;
+  LedgerRun run(folder / "l", {&claim()}, this_build());
+  std::vector<Outcome> outcomes{{&claim(), {}, 0}};
+  run.add(outcomes, with_seed(1));
+  EXPECT_NE(summary(run).find("no claim"), std::string::npos) << summary(run);
+  EXPECT_EQ(folder.files(), 0);
+}
+
+}  // namespace
+}  // namespace fairlight
