@@ -35,7 +35,7 @@ void make_folder(const std::string& folder) {
 
 // "stem.end" where there is one such file, else "stem_i.end".
 std::string numbered(const std::string& stem, std::size_t i, std::size_t n, const std::string& end) {
-  return stem + (n > 1 ? "_" + std::to_string(i) : "") + end;
+  return n > 1 ? stem + "_" + std::to_string(i) + end : stem + end;
 }
 
 void write_cells(const std::string& stem, const Evidence::Cells& cells) {
