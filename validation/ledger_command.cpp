@@ -34,7 +34,8 @@ int show(const std::string& path) {
   const Manifest manifest = manifest_of({{.seed = 0}});
   std::printf("%-40s %-16s %6s %14s %9s\n", "claim", "sources", "runs", "draws", "margin");
   bool biased = false;
-  for (const auto& [key, entry] : ledger.entries()) {
+  for (const auto& item : ledger.entries()) {
+    const LedgerEntry& entry = item.second;
     const bool known =
         std::ranges::any_of(registry(), [&](const Claim& claim) { return claim.name == entry.claim; });
     std::string margin = "(not a claim of this program)";
