@@ -104,7 +104,7 @@ inline std::uint32_t points_for(const std::vector<Reference>& references) {
 
 namespace detail {
 
-/// The sum of a number's lanes, or of each of a colour's channels, in double.
+/// The sum of a number's lanes, or of those of each of several, in double.
 template <class Value>
 auto sum_of_lanes(const Value& x) {
   const auto sum = [](const auto& channel) {
@@ -113,7 +113,9 @@ auto sum_of_lanes(const Value& x) {
     return std::accumulate(values.begin(), values.end(), 0.0);
   };
   if constexpr (requires { x.rows(); }) {
-    return Rgb<double>(sum(x[0]), sum(x[1]), sum(x[2]));
+    Eigen::Array<double, Value::RowsAtCompileTime, 1> sums;
+    for (Eigen::Index i = 0; i < sums.size(); ++i) sums[i] = sum(x[i]);
+    return sums;
   } else {
     return sum(x);
   }
