@@ -1,50 +1,21 @@
-#include <algorithm>
 #include <cstdio>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <support/temporary_folder.h>
-#include <sys/wait.h>
+#include <support/program.h>
 
 #include <fairlight/render/instruction_sets.h>
 
-// The program as a person meets it: exit status, one sentence on standard error, nothing half-written.
 namespace fairlight {
 namespace {
 
+using testing::expect_bad_input;
+using testing::fairlight;
 using testing::read_file;
+using testing::Result;
+using testing::shell;
 using testing::TemporaryFolder;
 using testing::write_file;
-
-struct Result {
-  int status;
-  std::string out, error;
-};
-
-Result shell(const std::string& command, const TemporaryFolder& folder) {
-  const std::string out = folder / "stdout";
-  const std::string error = folder / "stderr";
-  const int status =
-      std::system(("cd '" + folder.path().string() + "' && { " + command + "; } >stdout 2>stderr").c_str());
-  const Result run{WEXITSTATUS(status), read_file(out), read_file(error)};
-  std::filesystem::remove(out);
-  std::filesystem::remove(error);
-  return run;
-}
-
-Result fairlight(const std::string& arguments, const TemporaryFolder& folder) {
-  return shell(std::string(FAIRLIGHT_PROGRAM) + " " + arguments, folder);
-}
-
-void expect_bad_input(const std::string& arguments, const std::string& says) {
-  const TemporaryFolder folder;
-  const Result run = fairlight(arguments, folder);
-  EXPECT_EQ(run.status, 2) << arguments;
-  EXPECT_TRUE(run.error.starts_with("fairlight: ")) << arguments << "\n" << run.error;
-  EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << arguments << "\n" << run.error;
-  EXPECT_NE(run.error.find(says), std::string::npos) << arguments << "\n" << run.error;
-  EXPECT_EQ(folder.files(), 0) << arguments;
-}
 
 const std::string small = "render cornell-simple --width 20 --height 10 --seed 9 ";
 
@@ -220,101 +191,6 @@ TEST(Program, ReportsARenderAsJson) {
   }
   EXPECT_EQ(json["paths"], 400);
   EXPECT_EQ(json["seed"], "0000000000000009");
-}
-
-TEST(Program, VerifiesAndReplays) {
-  const TemporaryFolder folder;
-  EXPECT_NE(fairlight("verify --list", folder).out.find("hemisphere.cosine.law"), std::string::npos);
-  ASSERT_EQ(fairlight("verify pick.all.dice importance.cosine --margin 0.05 --json a.json", folder).status, 0);
-  const auto first = nlohmann::json::parse(read_file(folder / "a.json"));
-  for (const auto& claim : first["claims"]) {
-    const std::string replay = claim["replay"].get<std::string>().substr(std::string("fairlight ").size());
-    ASSERT_EQ(fairlight(replay + " --json b.json --threads 3", folder).status, 0);
-    auto again = nlohmann::json::parse(read_file(folder / "b.json"))["claims"][0];
-    again["seconds"] = claim["seconds"];
-    EXPECT_EQ(again, claim);
-  }
-}
-
-const std::string a_run = "verify pick.all.dice.latin --margin 0.05 ";
-
-TEST(Program, AddsRunsUpInALedger) {
-  const TemporaryFolder folder;
-  for (const char* seed : {"1", "2", "3", "3"}) {
-    const Result run = fairlight(a_run + "--ledger l --seed " + seed, folder);
-    ASSERT_EQ(run.status, 0) << run.error;
-    EXPECT_NE(run.out.find("ledger: l, "), std::string::npos) << run.out;
-  }
-  const Result show = fairlight("ledger show l", folder);
-  EXPECT_EQ(show.status, 0) << show.error;
-  EXPECT_NE(show.out.find("pick.all.dice"), std::string::npos) << show.out;
-  EXPECT_EQ(fairlight("ledger merge l -o ./l", folder).status, 2);
-  fairlight(a_run + "--ledger m --seed 3", folder);
-  fairlight(a_run + "--ledger m --seed 4", folder);
-  const Result merged = fairlight("ledger merge l m -o both", folder);
-  EXPECT_EQ(merged.status, 0) << merged.error;
-  EXPECT_NE(merged.out.find("2 entries left out"), std::string::npos)
-      << merged.out;  // 3 twice in l, and again in m
-  EXPECT_NE(fairlight("ledger show both", folder).out.find("     4 "), std::string::npos);
-}
-
-TEST(Program, RefusesADamagedLedgerBeforeItRuns) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(fairlight(a_run + "--ledger l", folder).status, 0);
-  const std::string good = read_file(folder / "l");
-  for (const std::string& bad : {good.substr(0, 10), "fairlight ledger 2" + good.substr(18), "claims\n" + good,
-                                 good.substr(0, 40) + "x" + good.substr(41)}) {
-    write_file(folder / "l", bad);
-    for (const std::string& arguments :
-         {a_run + "--ledger l", std::string("ledger show l"), std::string("ledger merge l -o m")}) {
-      const Result run = fairlight(arguments, folder);
-      EXPECT_EQ(run.status, 2) << arguments;
-      EXPECT_EQ(std::count(run.error.begin(), run.error.end(), '\n'), 1) << run.error;
-      EXPECT_EQ(read_file(folder / "l"), bad) << arguments;
-      EXPECT_EQ(folder.files(), 1) << arguments;
-    }
-  }
-  write_file(folder / "l", good.substr(0, good.size() - 5));
-  const Result run = fairlight(a_run + "--ledger l", folder);
-  EXPECT_EQ(run.status, 0) << run.error;
-  EXPECT_NE(run.out.find("cut off"), std::string::npos) << run.out;
-}
-
-TEST(Program, VerifiesWhatAChangeTouches) {
-  const TemporaryFolder folder;
-  const Result run = fairlight("verify pick --since HEAD --list", folder);
-  if (run.status == 2) GTEST_SKIP() << run.error;  // sources without their repository
-  EXPECT_EQ(run.status, 0);
-  EXPECT_NE(run.out.find(" claims rest on sources that differ from HEAD"), std::string::npos) << run.out;
-}
-
-TEST(Program, LeavesUndecidedWhatItHasNoTimeFor) {
-  const TemporaryFolder folder;
-  const Result run = fairlight("verify pick importance --margin 3e-5 --seconds 0.5 --json a.json", folder);
-  EXPECT_EQ(run.status, 3) << run.out;
-  EXPECT_EQ(run.error, "") << "no progress bar in a pipe";
-  EXPECT_NE(run.out.find("time was up"), std::string::npos) << run.out;
-  const auto json = nlohmann::json::parse(read_file(folder / "a.json"));
-  EXPECT_EQ(json["verdict"], "undecided");
-  EXPECT_LT(json["seconds"], 60);
-}
-
-TEST(Program, KeepsWhatItSawAndWritesAPageWithItsPictures) {
-  const TemporaryFolder folder;
-  const std::string arguments = "verify hemisphere.cosine.law pick.one.dice --margin 0.05 --report page.md";
-  ASSERT_EQ(fairlight(arguments, folder).status, 0);
-  for (const char* file : {"hemisphere.cosine.law/cells.csv", "hemisphere.cosine.law/cells.exr",
-                           "hemisphere.cosine.law/p_map.png", "hemisphere.cosine.law/histogram.png",
-                           "pick.one.dice/wealth.csv", "pick.one.dice/finding.json", "intervals.png"}) {
-    EXPECT_FALSE(read_file(folder / (std::string("page_artifacts/") + file)).empty()) << file;
-  }
-  const std::string page = read_file(folder / "page.md");
-  EXPECT_NE(page.find("(page_artifacts/hemisphere.cosine.law/p_map.png)"), std::string::npos) << page;
-  EXPECT_EQ(folder.files(), 2);
-  ASSERT_EQ(fairlight("verify pick.one --margin 0.05 --artifacts kept", folder).status, 0);
-  EXPECT_TRUE(std::filesystem::exists(folder / "kept/intervals.png"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "kept/pick.one.dice"))
-      << "it did not fail, and was not named in full";
 }
 
 }  // namespace
