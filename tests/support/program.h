@@ -27,7 +27,7 @@ inline Result shell(const std::string& command, const TemporaryFolder& folder) {
 }
 
 inline Result fairlight(const std::string& arguments, const TemporaryFolder& folder) {
-  return shell(std::string(FAIRLIGHT_PROGRAM) + " " + arguments, folder);
+  return shell(FAIRLIGHT_PROGRAM " " + arguments, folder);
 }
 
 inline void expect_bad_input(const std::string& arguments, const std::string& says) {
