@@ -53,7 +53,7 @@ TEST(ThePage, KnowsWhereItsLinesGo) {
            source.find(line) != std::string::npos;
   };
   EXPECT_TRUE(holds("validation/claims/claims.h", "void add_direction_claims(std::vector<Claim>& claims);"));
-  EXPECT_TRUE(holds("validation/registry.cpp", "add_direction_claims,"));
+  EXPECT_TRUE(holds("validation/claims/claims.h", R"({"directions.cpp", add_direction_claims},)"));
   EXPECT_TRUE(holds("validation/faults/catalogue.h", "std::vector<Fault> direction_faults();"));
   EXPECT_TRUE(holds("validation/faults/catalogue.cpp", "direction_faults,"));
 }

@@ -73,7 +73,7 @@ TEST(RunClaims, LeaveUndecidedWhatHasNoVerdictWhenTheTimeIsUp) {
   Conformance hurried = quick;
   hurried.terms.margin = 3e-5;  // hours
   hurried.seconds = 0.2;
-  const auto outcomes = run_claims(select_claims({"pick.one.dice", "importance.cosine"}), hurried);
+  const auto outcomes = run_claims(select_claims({"furnace.bounce", "furnace.light"}), hurried);
   for (const Outcome& outcome : outcomes) {
     EXPECT_EQ(outcome.finding.verdict, Verdict::undecided) << outcome.claim->name;
     EXPECT_TRUE(outcome.out_of_time);

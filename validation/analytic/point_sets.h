@@ -144,7 +144,7 @@ Claim product_variance_claim(const PointSetKind<Set>& kind, double ratio) {
     return x0 * source.pair()[0];
   };
   return variance_claim("variance." + kind.suffix + "_against_independent", {kind.subject, kind.source},
-                        "elementary; Owen 1998, \"Latin supercube sampling\"", ratio, 100,
+                        "elementary; Owen 1998, \"Latin supercube sampling\"", ratio, 80,
                         replicates_of<Set<double>>("the mean of x0 x2 over 16 points", product, 0, 1, 16),
                         independent_draws(
                             "that over 16 independent ones",
