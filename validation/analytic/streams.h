@@ -27,8 +27,10 @@ Claim streams_uncorrelated_claim() {
             return test_uncorrelated(trial, {0.5, 0.5}, 0.5, 1.0 / 12, [&](std::uint64_t i) {
               const auto which = i % 3;
               const auto number = [&](std::uint32_t other) {
-                const auto pixel = static_cast<std::uint32_t>(2 * i) + (which == 0 ? other : 0);
-                return Numbers::of(key, pixel, which == 1 ? other : 0, which == 2 ? other : 0)[i / 3 % 5];
+                // The path goes on with the pixel: where pixels were forgotten, the numbers would else be the same ones for ever.
+                const auto base = static_cast<std::uint32_t>(2 * i);
+                return Numbers::of(key, base + (which == 0 ? other : 0), base + (which == 1 ? other : 0),
+                                   which == 2 ? other : 0)[i / 3 % 5];
               };
               return std::pair(number(0), number(1));
             });
