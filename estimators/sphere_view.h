@@ -20,7 +20,8 @@ class SphereView {
  public:
   /// The offset leads from the centre to the point [m].
   SphereView(const Vec3<Real>& offset, Real radius, const Mask<Real>& on_surface)
-      : frame_(ahead(offset)),
+      : offset_(offset),
+        frame_(ahead(offset)),
         radius_(radius),
         distance_(select(on_surface, radius, Real(offset.norm()))),
         height_(distance_ - radius) {}
@@ -58,12 +59,13 @@ class SphereView {
   }
 
   /// The density of a direction whose point on the sphere is drawn with the given one, which is constant on what is seen;
-  /// 0 where the direction does not meet it.
+  /// 0 where the direction does not meet it. Whether it does, the point of its line that is nearest to the centre says: what rounding
+  /// takes it along the line changes its distance but to second order, where a frame's axes would each add theirs.
   Density<SolidAngle, Real> over_angle(const Vec3<Real>& direction, Density<Area, Real> density) const {
     using std::sqrt;
-    const Vec3<Real> w = frame_.to_local(direction);
-    const Real along = distance_ * w.z();
-    const Real square = select(outside(), Real(radius_ * radius_ - off_axis_square(w)), inner_square(along));
+    const Real along = -offset_.dot(direction);
+    const Vec3<Real> nearest = offset_ + along * direction;
+    const Real square = select(outside(), Real(radius_ * radius_ - nearest.squaredNorm()), inner_square(along));
     const Mask<Real> met = square > Real(0) && (along > Real(0) || height_ < Real(0));
     const Real half_chord = sqrt(select(met, square, radius_ * radius_));
     const auto over_angle = to_solid_angle(density, distance(along, half_chord), Real(half_chord / radius_));
@@ -96,11 +98,6 @@ class SphereView {
   // d^2 - r^2 [m^2], the product of the distances at which any line through the point meets the sphere.
   Real level() const { return height_ * (distance_ + radius_); }
 
-  // The square of the distance of the centre from a ray outside [m^2].
-  Real off_axis_square(const Vec3<Real>& w) const {
-    return distance_ * distance_ * (w.x() * w.x() + w.y() * w.y());
-  }
-
   // The square of half the chord, for a point that is not outside.
   Real inner_square(Real along) const { return along * along - level(); }
 
@@ -112,6 +109,7 @@ class SphereView {
     return select(far, sum, Real(abs(level()) / select(sum > Real(0), sum, Real(1))));
   }
 
+  Vec3<Real> offset_;
   Frame<Real> frame_;
   Real radius_, distance_, height_;
 };
