@@ -50,9 +50,7 @@ void write_png(const std::string& path, int width, int height, std::span<const s
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr) == 0) {
     throw std::runtime_error("cannot encode \"" + path + "\" (" + image.message + ")");
   }
-  WholeFile file(path);
-  file.write({bytes.data(), size});
-  file.commit();
+  write_whole(path, {bytes.data(), size});
 }
 
 }  // namespace fairlight

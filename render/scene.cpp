@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include <fairlight/estimators/rectangle_light.h>
 #include <fairlight/estimators/rough_conductor.h>
 #include <fairlight/render/scene.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -34,11 +34,7 @@ void require_material(const Material& material) {
   }
 }
 
-std::string text(double x) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.3g", x);
-  return digits.data();
-}
+std::string text(double x) { return formatted("%.3g", x); }
 
 // Beyond this the square of a square, or its inverse, is no number of doubles any more.
 void require_length(double length) {

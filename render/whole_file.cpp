@@ -65,10 +65,12 @@ void WholeFile::fail(const char* doing) {
   throw std::runtime_error(std::string("cannot ") + doing + " \"" + path_ + "\" (" + std::strerror(errno) + ")");
 }
 
-void write_json(const std::string& path, const nlohmann::json& json) {
+void write_whole(const std::string& path, std::span<const char> bytes) {
   WholeFile file(path);
-  file.write(json.dump(2) + "\n");
+  file.write(bytes);
   file.commit();
 }
+
+void write_json(const std::string& path, const nlohmann::json& json) { write_whole(path, json.dump(2) + "\n"); }
 
 }  // namespace fairlight

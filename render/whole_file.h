@@ -40,6 +40,9 @@ class WholeFile {
   bool failed_ = false;
 };
 
+/// Writes bytes as a WholeFile.
+void write_whole(const std::string& path, std::span<const char> bytes);
+
 /// Writes JSON as a WholeFile.
 void write_json(const std::string& path, const nlohmann::json& json);
 

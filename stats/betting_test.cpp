@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <fairlight/stats/betting_test.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -63,11 +63,7 @@ double drift_to_wait_for(double alpha, double beta) {
   return 1.5 * root * root;
 }
 
-std::string digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
-}
+std::string digits(double value) { return formatted("%.17g", value); }
 
 }  // namespace
 

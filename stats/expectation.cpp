@@ -8,6 +8,7 @@
 
 #include <fairlight/stats/expectation.h>
 #include <fairlight/stats/seed.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -24,12 +25,6 @@ std::uint64_t program_seed() {
   return seed;
 }
 
-std::string text(const char* format, auto... values) {
-  std::array<char, 200> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
-
 // A histogram of sixteen bars; draws that are no numbers are left to the note.
 std::string histogram(std::vector<double> sample) {
   constexpr std::size_t bars = 16;
@@ -38,14 +33,14 @@ std::string histogram(std::vector<double> sample) {
   const auto [least, greatest] = std::minmax_element(sample.begin(), sample.end());
   const double low = *least;
   const double width = (*greatest - low) / bars;
-  if (width == 0) return text("  all of %zu draws are %g\n", sample.size(), low);
+  if (width == 0) return formatted("  all of %zu draws are %g\n", sample.size(), low);
   std::array<std::size_t, bars> counts{};
   for (double x : sample) ++counts[std::min(static_cast<std::size_t>((x - low) / width), bars - 1)];
   const std::size_t most = *std::max_element(counts.begin(), counts.end());
-  std::string result = text("  %zu draws\n", sample.size());
+  std::string result = formatted("  %zu draws\n", sample.size());
   for (std::size_t i = 0; i < bars; ++i) {
     const std::string bar(counts[i] * 50 / most, '#');
-    result += text("  %12.5g %6zu ", low + static_cast<double>(i) * width, counts[i]) + bar + "\n";
+    result += formatted("  %12.5g %6zu ", low + static_cast<double>(i) * width, counts[i]) + bar + "\n";
   }
   return result;
 }
@@ -73,10 +68,10 @@ Generator generator_for(const Trial& trial, const std::string& purpose) {
 Expectation detail::judge(const Site& site, const Trial& trial, const std::string& claim, const Finding& finding,
                           const std::vector<double>& sample) {
   std::string message = std::string(name(finding.verdict)) + ": " + claim + "\n";
-  message += text("  bias %+.3e, in [%+.3e, %+.3e], margin %.1e, all relative\n", finding.bias, finding.interval.lo,
-                  finding.interval.hi, finding.margin);
-  message += text("  %llu draws, level %.1e, miss rate %.0e, ", static_cast<unsigned long long>(finding.draws),
-                  trial.alpha, trial.beta);
+  message += formatted("  bias %+.3e, in [%+.3e, %+.3e], margin %.1e, all relative\n", finding.bias,
+                       finding.interval.lo, finding.interval.hi, finding.margin);
+  message += formatted("  %llu draws, level %.1e, miss rate %.0e, ", static_cast<unsigned long long>(finding.draws),
+                       trial.alpha, trial.beta);
   message += std::string(name(finding.guarantee)) + "\n";
   if (!finding.note.empty()) message += "  " + finding.note + "\n";
   message += histogram(sample);

@@ -6,7 +6,7 @@
 #include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/registry.h>
-#include <fairlight/validation/report.h>
+#include <fairlight/validation/report/report.h>
 
 namespace fairlight {
 namespace {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <fairlight/stats/second_order.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/checks.h>
 
 namespace fairlight {
@@ -46,22 +47,18 @@ inline Finding check_variances(const Trial& trial, double ratio, const Contender
   };
   Finding finding = test_variance_ratio(trial, ratio, indexed(a, " a"), indexed(b, " b"));
   if (!finding.note.empty()) return finding;
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "variance ratio %.4g, in [%.4g, %.4g]", ratio * (1 + finding.bias),
-                ratio * (1 + finding.interval.lo), ratio * (1 + finding.interval.hi));
-  finding.note = text.data();
+  finding.note = formatted("variance ratio %.4g, in [%.4g, %.4g]", ratio * (1 + finding.bias),
+                           ratio * (1 + finding.interval.lo), ratio * (1 + finding.interval.hi));
   return finding;
 }
 
 /// The row of the registry that says so.
 inline Claim variance_claim(const std::string& name, std::vector<std::string> subjects, const std::string& source,
                             double ratio, double margin_factor, const Contender& a, const Contender& b) {
-  std::array<char, 24> number{};
-  std::snprintf(number.data(), number.size(), "%.6g", ratio);
   return {.name = name,
           .kind = "variance",
           .subjects = std::move(subjects),
-          .statement = a.name + " has at most " + number.data() + " times the variance of " + b.name,
+          .statement = a.name + " has at most " + formatted("%.6g", ratio) + " times the variance of " + b.name,
           .source = source,
           .margin_factor = margin_factor,
           .check = [=](const Trial& trial) { return check_variances(trial, ratio, a, b); }};

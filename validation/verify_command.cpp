@@ -10,14 +10,14 @@
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/artifacts.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/conformance.h>
-#include <fairlight/validation/ledger_run.h>
-#include <fairlight/validation/markdown.h>
+#include <fairlight/validation/ledger/ledger_run.h>
+#include <fairlight/validation/provenance/since.h>
 #include <fairlight/validation/registry.h>
-#include <fairlight/validation/report.h>
-#include <fairlight/validation/since.h>
+#include <fairlight/validation/report/artifacts.h>
+#include <fairlight/validation/report/markdown.h>
+#include <fairlight/validation/report/report.h>
 
 namespace fairlight {
 namespace {
@@ -137,10 +137,9 @@ void write_outputs(const VerifyOptions& options, const std::vector<Outcome>& out
                                                [](const std::string& all, const std::string& claim) {
                                                  return all + (all.empty() ? "" : " ") + "'" + claim + "'";
                                                });
-    WholeFile file(options.report);
-    file.write(markdown({outcomes, conformance, seconds, replay(claims, conformance), overview, pictures},
-                        options.report));
-    file.commit();
+    write_whole(options.report,
+                markdown({outcomes, conformance, seconds, replay(claims, conformance), overview, pictures},
+                         options.report));
   }
 }
 

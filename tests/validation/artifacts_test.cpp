@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/artifacts.h>
-#include <fairlight/validation/markdown.h>
 #include <fairlight/validation/registry.h>
+#include <fairlight/validation/report/artifacts.h>
+#include <fairlight/validation/report/markdown.h>
 
 namespace fairlight {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/charts.h>
+#include <fairlight/validation/report/charts.h>
 
 namespace fairlight {
 namespace {

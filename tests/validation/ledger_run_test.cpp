@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/ledger_run.h>
+#include <fairlight/validation/ledger/ledger_run.h>
 #include <fairlight/validation/registry.h>
 
 namespace fairlight {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/ledger.h>
-#include <fairlight/validation/ledger_text.h>
+#include <fairlight/validation/ledger/ledger.h>
+#include <fairlight/validation/ledger/ledger_text.h>
 
 namespace fairlight {
 namespace {

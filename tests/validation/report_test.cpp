@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/validation/registry.h>
-#include <fairlight/validation/report.h>
+#include <fairlight/validation/report/report.h>
 
 namespace fairlight {
 namespace {

@@ -9,7 +9,7 @@
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/audit/fault_audit.h>
 #include <fairlight/validation/commands.h>
-#include <fairlight/validation/report.h>
+#include <fairlight/validation/report/report.h>
 
 namespace fairlight {
 namespace {

@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <mutex>
 
 #include <fairlight/render/parallel.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/audit/fault_audit.h>
 
 namespace fairlight {
@@ -25,10 +24,8 @@ Capture capture(const Claim& claim, const Trial& trial) {
 
 // What became of a fault in a claim, in words.
 std::string in_words(const FaultOutcome& o) {
-  std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), ": caught %d times of %d, with a bias of %.1e at a margin of %.1e",
-                o.caught, o.seeds, o.effect, o.margin);
-  return o.claim->name + text.data();
+  return formatted("%s: caught %d times of %d, with a bias of %.1e at a margin of %.1e", o.claim->name.c_str(),
+                   o.caught, o.seeds, o.effect, o.margin);
 }
 
 }  // namespace

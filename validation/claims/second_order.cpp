@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include <fairlight/estimators/glossy.h>
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/importance.h>
 #include <fairlight/estimators/sobol.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/analytic/furnace.h>
 #include <fairlight/validation/analytic/integrals.h>
 #include <fairlight/validation/analytic/lights.h>
@@ -126,10 +126,8 @@ Claim sobol_convergence() {
   claim.check = [check = claim.check](const Trial& trial) {
     Finding finding = check(trial);
     const auto exponent = [](double excess) { return 2.5 - std::log(1 + excess) / std::log(4); };
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "; exponent %.3g, at least %.3g", exponent(finding.bias),
-                  exponent(finding.interval.hi));
-    finding.note += text.data();
+    finding.note +=
+        formatted("; exponent %.3g, at least %.3g", exponent(finding.bias), exponent(finding.interval.hi));
     return finding;
   };
   return claim;

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <fairlight/stats/law_test.h>
-#include <fairlight/validation/axes.h>
-#include <fairlight/validation/charts.h>
+#include <fairlight/validation/report/axes.h>
+#include <fairlight/validation/report/charts.h>
 
 namespace fairlight {
 namespace {

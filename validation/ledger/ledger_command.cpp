@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -7,9 +6,10 @@
 
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/conformance.h>
-#include <fairlight/validation/ledger.h>
+#include <fairlight/validation/ledger/ledger.h>
 #include <fairlight/validation/registry.h>
 
 namespace fairlight {
@@ -22,9 +22,7 @@ void add_and_tell(Ledger& ledger, const std::string& path) {
 
 std::string margin_text(double margin) {
   if (std::isinf(margin)) return "none";
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "%.1e", margin);
-  return text.data();
+  return formatted("%.1e", margin);
 }
 
 // By the share of the budget and the miss rate that a claim has in a run of this program's whole registry.
@@ -65,9 +63,7 @@ int merge(const std::vector<std::string>& inputs, const std::string& output) {
   check_output(inputs, output);
   Ledger all;
   for (const std::string& input : inputs) add_and_tell(all, input);
-  WholeFile file(output);
-  file.write(all.text());
-  file.commit();
+  write_whole(output, all.text());
   std::printf("%zu ledgers merged, %zu entries left out that were there already: %s\n", inputs.size(),
               all.repeated(), output.c_str());
   return 0;

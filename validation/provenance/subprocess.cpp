@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fairlight/validation/subprocess.h>
+#include <fairlight/validation/provenance/subprocess.h>
 
 namespace fairlight {
 namespace {

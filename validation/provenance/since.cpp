@@ -3,8 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <fairlight/validation/since.h>
-#include <fairlight/validation/subprocess.h>
+#include <fairlight/validation/provenance/since.h>
+#include <fairlight/validation/provenance/subprocess.h>
 
 namespace fairlight {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <fairlight/render/whole_file.h>
-#include <fairlight/validation/ledger_run.h>
+#include <fairlight/validation/ledger/ledger_run.h>
 
 namespace fairlight {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/canvas.h>
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/report/canvas.h>
 
 namespace fairlight {
 
@@ -67,11 +67,7 @@ class Axes {
     return values;
   }
 
-  static std::string label(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-  }
+  static std::string label(double value) { return formatted("%.4g", value); }
 
   Canvas& canvas_;
   Place place_;

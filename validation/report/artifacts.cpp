@@ -5,27 +5,16 @@
 
 #include <fairlight/render/raster.h>
 #include <fairlight/render/whole_file.h>
-#include <fairlight/validation/artifacts.h>
-#include <fairlight/validation/axes.h>
-#include <fairlight/validation/charts.h>
-#include <fairlight/validation/report.h>
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/report/artifacts.h>
+#include <fairlight/validation/report/axes.h>
+#include <fairlight/validation/report/charts.h>
+#include <fairlight/validation/report/report.h>
 
 namespace fairlight {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string row(const char* format, auto... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  WholeFile file(path);
-  file.write(text);
-  file.commit();
-}
 
 void make_folder(const std::string& folder) {
   std::error_code error;
@@ -45,14 +34,14 @@ void write_cells(const std::string& stem, const Evidence::Cells& cells) {
     const CellResidue residue = cell_residue(cells, i);
     const auto columns = static_cast<std::size_t>(cells.columns);
     const auto counted = static_cast<double>(cells.counts[i]);
-    csv += row("%zu,%zu,%.10g,%.0f,%.5g,%.5g\n", i / columns, i % columns, residue.expected, counted,
-               residue.deviations, residue.p);
+    csv += formatted("%zu,%zu,%.10g,%.0f,%.5g,%.5g\n", i / columns, i % columns, residue.expected, counted,
+                     residue.deviations, residue.p);
     const std::array<double, 4> values{residue.expected, counted, residue.deviations, residue.p};
     for (std::size_t plane = 0; plane < 4; ++plane) {
       planes[plane].values.push_back(static_cast<float>(values[plane]));
     }
   }
-  write_text(stem + ".csv", csv);
+  write_whole(stem + ".csv", csv);
   write_exr(stem + ".exr", cells.columns, cells.rows, planes);
 }
 
@@ -60,8 +49,8 @@ std::string courses_csv(const std::vector<Evidence::Course>& courses) {
   std::string csv = "channel,draws,mean,log_too_bright,log_too_dark,log_not_brighter,log_not_darker\n";
   for (std::size_t c = 0; c < courses.size(); ++c) {
     for (const auto& [draws, mean, wealth] : courses[c].steps()) {
-      csv += row("%zu,%llu,%.17g,%.6g,%.6g,%.6g,%.6g\n", c, static_cast<unsigned long long>(draws), mean,
-                 wealth.too_bright, wealth.too_dark, wealth.not_brighter, wealth.not_darker);
+      csv += formatted("%zu,%llu,%.17g,%.6g,%.6g,%.6g,%.6g\n", c, static_cast<unsigned long long>(draws), mean,
+                       wealth.too_bright, wealth.too_dark, wealth.not_brighter, wealth.not_darker);
     }
   }
   return csv;
@@ -114,7 +103,7 @@ std::vector<std::string> write_artifacts(const std::string& folder, const Outcom
     draw(numbered("p_map", i, laws.size(), ".png"), p_map_chart(title, laws[i]));
     draw(numbered("histogram", i, laws.size(), ".png"), histogram_chart(title, laws[i]));
   }
-  if (!means.empty()) write_text(place + "/wealth.csv", courses_csv(means));
+  if (!means.empty()) write_whole(place + "/wealth.csv", courses_csv(means));
   for (std::size_t c : worst_channels(means)) {
     const std::string channel = means.size() > 1 ? ", channel " + std::to_string(c) : "";
     draw(numbered("wealth", c, means.size(), ".png"), wealth_chart(title + channel, means[c]));

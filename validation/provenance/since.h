@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <fairlight/validation/claim.h>
-#include <fairlight/validation/sources.h>
+#include <fairlight/validation/provenance/sources.h>
 
 namespace fairlight {
 

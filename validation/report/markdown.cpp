@@ -2,20 +2,15 @@
 #include <filesystem>
 
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/markdown.h>
-#include <fairlight/validation/report.h>
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/report/markdown.h>
+#include <fairlight/validation/report/report.h>
 #include <fairlight/version.h>
 
 namespace fairlight {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text(const char* format, auto... values) {
-  char buffer[128];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 std::string link(const std::string& picture, const std::string& page) {
   const fs::path base = fs::absolute(page).parent_path();
@@ -30,14 +25,14 @@ std::string head(const Page& page) {
     return std::ranges::count_if(page.outcomes, [=](const Outcome& o) { return o.finding.verdict == verdict; });
   };
   std::string out = std::string("# fairlight verify: ") + name(overall(page.outcomes)) + "\n\n";
-  out += text("Of %zu claims, %td are certified, %td biased, %td undecided.\n\n", page.outcomes.size(),
-              count(Verdict::certified), count(Verdict::biased), count(Verdict::undecided));
+  out += formatted("Of %zu claims, %td are certified, %td biased, %td undecided.\n\n", page.outcomes.size(),
+                   count(Verdict::certified), count(Verdict::biased), count(Verdict::undecided));
   out += "| | |\n|---|---|\n";
   out += "| seed | `" + seed_text(terms.seed) + "` |\n";
-  out += text("| false alarms | %.0e a run of everything |\n", terms.budget);
-  out += text("| miss rate | %.0e a claim, at its margin |\n", terms.beta);
-  out += text("| margin | %.0e of the reference, times what a claim says |\n", terms.margin);
-  out += text("| time | %.1f s on %d threads |\n", page.seconds, page.conformance.threads);
+  out += formatted("| false alarms | %.0e a run of everything |\n", terms.budget);
+  out += formatted("| miss rate | %.0e a claim, at its margin |\n", terms.beta);
+  out += formatted("| margin | %.0e of the reference, times what a claim says |\n", terms.margin);
+  out += formatted("| time | %.1f s on %d threads |\n", page.seconds, page.conformance.threads);
   out += std::string("| version | ") + version + " |\n\n";
   return out + "To run it again, draw for draw:\n\n" + code(page.command);
 }
@@ -47,9 +42,10 @@ std::string section(const Page& page, const Outcome& outcome, const std::string&
   std::string out = "## " + outcome.claim->name + ": " + name(finding.verdict) + "\n\n";
   out += "Claimed (" + outcome.claim->kind + "): " + outcome.claim->statement +
          ". Source: " + outcome.claim->source + ".\n\n";
-  out += text("The bias is between %+.3g and %+.3g of the reference, ", finding.interval.lo, finding.interval.hi);
-  out += text("the margin %.1e; %llu draws in %.2f s.", finding.margin,
-              static_cast<unsigned long long>(finding.draws), outcome.seconds);
+  out +=
+      formatted("The bias is between %+.3g and %+.3g of the reference, ", finding.interval.lo, finding.interval.hi);
+  out += formatted("the margin %.1e; %llu draws in %.2f s.", finding.margin,
+                   static_cast<unsigned long long>(finding.draws), outcome.seconds);
   out += (finding.note.empty() ? "" : " Note: " + finding.note + ".") + "\n\n" +
          code(replay(outcome.claim->name, page.conformance));
   const auto pictures = page.pictures.find(outcome.claim->name);
@@ -67,8 +63,8 @@ std::string table(const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes) {
     const Finding& finding = outcome.finding;
     out += "| " + outcome.claim->name + " | " + name(finding.verdict) + " | " + name(finding.guarantee);
-    out += text(" | %.1e | %+.2e | %+.2e | %llu | %.2f |\n", finding.margin, finding.interval.lo,
-                finding.interval.hi, static_cast<unsigned long long>(finding.draws), outcome.seconds);
+    out += formatted(" | %.1e | %+.2e | %+.2e | %llu | %.2f |\n", finding.margin, finding.interval.lo,
+                     finding.interval.hi, static_cast<unsigned long long>(finding.draws), outcome.seconds);
   }
   return out;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <fairlight/validation/ledger.h>
+#include <fairlight/validation/ledger/ledger.h>
 
 namespace fairlight {
 

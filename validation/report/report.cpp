@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/report.h>
+#include <fairlight/validation/report/report.h>
 #include <fairlight/version.h>
 
 namespace fairlight {

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include <fairlight/validation/report.h>
+#include <fairlight/validation/report/report.h>
 
 namespace fairlight {
 namespace {

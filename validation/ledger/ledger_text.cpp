@@ -3,7 +3,7 @@
 #include <limits>
 
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/ledger_text.h>
+#include <fairlight/validation/ledger/ledger_text.h>
 
 namespace fairlight {
 namespace {

@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fairlight/validation/ledger.h>
-#include <fairlight/validation/ledger_text.h>
+#include <fairlight/validation/ledger/ledger.h>
+#include <fairlight/validation/ledger/ledger_text.h>
 
 namespace fairlight {
 namespace {

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <fairlight/validation/ledger_text.h>
-#include <fairlight/validation/sources.h>
-#include <fairlight/validation/subprocess.h>
+#include <fairlight/validation/ledger/ledger_text.h>
+#include <fairlight/validation/provenance/sources.h>
+#include <fairlight/validation/provenance/subprocess.h>
 
 namespace fairlight {
 namespace {

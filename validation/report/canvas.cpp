@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include <fairlight/render/raster.h>
-#include <fairlight/validation/canvas.h>
-#include <fairlight/validation/letters.h>
+#include <fairlight/validation/report/canvas.h>
+#include <fairlight/validation/report/letters.h>
 
 namespace fairlight {
 

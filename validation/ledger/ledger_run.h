@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <fairlight/validation/conformance.h>
-#include <fairlight/validation/ledger.h>
-#include <fairlight/validation/sources.h>
+#include <fairlight/validation/ledger/ledger.h>
+#include <fairlight/validation/provenance/sources.h>
 
 namespace fairlight {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include <fairlight/stats/evidence.h>
-#include <fairlight/validation/canvas.h>
+#include <fairlight/validation/report/canvas.h>
 
 namespace fairlight {
 

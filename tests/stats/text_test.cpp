@@ -1,0 +1,16 @@
+#include <gtest/gtest.h>
+
+#include <fairlight/stats/text.h>
+
+namespace fairlight {
+namespace {
+
+TEST(Text, IsFormattedAsByPrintf) {
+  EXPECT_EQ(formatted("%d of %s at %.1e", 3, "five", 0.25), "3 of five at 2.5e-01");
+  EXPECT_EQ(formatted("%s", ""), "");
+}
+
+TEST(Text, IsAsLongAsItTakes) { EXPECT_EQ(formatted("%1000d", 7), std::string(999, ' ') + "7"); }
+
+}  // namespace
+}  // namespace fairlight
