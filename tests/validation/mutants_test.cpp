@@ -1,0 +1,84 @@
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fairlight/validation/audit/mutants.h>
+
+namespace fairlight {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+std::vector<std::string> changes(const std::string& line) {
+  std::vector<std::string> after;
+  for (const Mutant& mutant : mutants_of("estimators/x.h", line)) after.push_back(mutant.after);
+  return after;
+}
+
+TEST(Mutants, ChangeOneOperatorEach) {
+  EXPECT_THAT(changes("  return a + b * c;"), ElementsAre("return a - b * c;", "return a + b / c;"));
+  EXPECT_THAT(changes("x += y;"), ElementsAre("x -= y;"));
+}
+
+TEST(Mutants, TurnComparisonsRoundAndLogicOver) {
+  EXPECT_THAT(changes("a < b && c >= d"), ElementsAre("a > b && c >= d", "a < b || c >= d", "a < b && c <= d"));
+}
+
+TEST(Mutants, MakeConstantsTwoPercentLarger) {
+  EXPECT_THAT(changes("Real(2)"), ElementsAre("Real(2.04f)"));
+  EXPECT_THAT(changes("Real(0)"), ElementsAre("Real(0.02f)"));
+  EXPECT_THAT(changes("pi<Real>"), ElementsAre("(Real(1.02f) * pi<Real>)"));
+}
+
+TEST(Mutants, TakeAnotherCosine) {
+  EXPECT_THAT(changes("w.z()"), ElementsAre("w.x()"));
+  EXPECT_THAT(changes("cos(phi)"), ElementsAre("sin(phi)"));
+}
+
+TEST(Mutants, DropSignsAndExchangeExtremes) {
+  EXPECT_THAT(changes("return -x;"), ElementsAre("return x;"));
+  EXPECT_THAT(changes("min(a, -b)"), ElementsAre("max(a, -b)", "min(a, b)"));
+}
+
+TEST(Mutants, LeaveAloneWhatIsNoArithmetic) {
+  EXPECT_THAT(changes("// a + b"), IsEmpty());
+  EXPECT_THAT(changes("f(\"a + b\");"), IsEmpty());
+  EXPECT_THAT(changes("#if A < B"), IsEmpty());
+  EXPECT_THAT(changes("template <class Real>"), IsEmpty());
+  EXPECT_THAT(changes("if (!(a > b)) throw std::invalid_argument(\"\");"), IsEmpty());
+  EXPECT_THAT(changes("if (!(a > b))\n  throw std::invalid_argument(\"\");"), IsEmpty());
+}
+
+TEST(Mutants, AreNamedByTheirPlaceAndChange) {
+  const std::string text = "x;\n  a - b;\n";
+  const Mutant mutant = mutants_of("estimators/x.h", text).at(0);
+  EXPECT_EQ(mutant.name(), "estimators/x.h:2:5 a - b; => a + b;");
+  EXPECT_EQ(mutated(text, mutant), "x;\n  a + b;\n");
+}
+
+TEST(Mutants, AreSampledBySeed) {
+  const auto all = mutants_of("x.h", "a + b + c + d + e + f + g + h");
+  const auto names = [&](std::size_t n, std::uint64_t seed) {
+    std::vector<std::string> chosen;
+    for (const Mutant& mutant : sample_of(all, n, seed)) chosen.push_back(mutant.name());
+    return chosen;
+  };
+  EXPECT_EQ(all.size(), 7);
+  EXPECT_EQ(names(3, 1).size(), 3);
+  EXPECT_EQ(names(3, 1), names(3, 1));
+  EXPECT_NE(names(3, 1), names(3, 2));
+  EXPECT_THAT(names(5, 1), ::testing::IsSupersetOf(names(3, 1)));
+  EXPECT_EQ(names(100, 1).size(), 7);
+}
+
+TEST(Mutants, AreFoundInTheKitItself) {
+  std::ifstream file(FAIRLIGHT_SOURCE_DIR "/estimators/cone.h");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_GT(mutants_of("estimators/cone.h", text).size(), 5);
+}
+
+}  // namespace
+}  // namespace fairlight

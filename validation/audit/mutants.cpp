@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <regex>
+
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/audit/mutants.h>
+
+namespace fairlight {
+namespace {
+
+struct Rule {
+  std::string kind;
+  std::regex pattern;       // of which the first group is replaced
+  std::string replacement;  // or, where it is "2 %", the number made larger
+};
+
+const std::vector<Rule>& rules() {
+  const auto swap = [](const std::string& kind, const std::string& a, const std::string& b,
+                       const std::string& escaped) {
+    return Rule{kind, std::regex(" (" + (escaped.empty() ? a : escaped) + ") "), b};
+  };
+  static const std::vector<Rule> all{
+      swap("operator", "+", "-", "\\+"),
+      swap("operator", "-", "+", ""),
+      swap("operator", "*", "/", "\\*"),
+      swap("operator", "/", "*", ""),
+      swap("operator", "+=", "-=", "\\+="),
+      swap("operator", "*=", "/=", "\\*="),
+      swap("order", "<", ">", ""),
+      swap("order", ">", "<", ""),
+      swap("order", "<=", ">=", ""),
+      swap("order", ">=", "<=", ""),
+      swap("logic", "&&", "||", ""),
+      swap("logic", "||", "&&", "\\|\\|"),
+      {"constant", std::regex(R"(\b(?:Real|double|rounded<Real>)\((\d+(?:\.\d+)?)\))"), "2 %"},
+      {"constant", std::regex(R"(\b(pi<Real>))"), "(Real(1.02f) * pi<Real>)"},
+      {"cosine", std::regex(R"(\.(z)\(\))"), "x"},
+      {"cosine", std::regex(R"(\b(cos)\()"), "sin"},
+      {"cosine", std::regex(R"(\b(sin)\()"), "cos"},
+      {"sign", std::regex(R"((?:return |\(|= |, )(-)[\w(])"), ""},
+      {"extreme", std::regex(R"(\b(min)\()"), "max"},
+      {"extreme", std::regex(R"(\b(max)\()"), "min"},
+  };
+  return all;
+}
+
+bool is_check(const std::string& line) {
+  static const std::regex check(
+      R"(^\s*(#|template|using|static_assert|friend|namespace)|\bthrow\b|\brequires?\w*\b|operator)");
+  return std::regex_search(line, check);
+}
+
+// The text with blanks for what is no code, as long as it was.
+std::string code_of(const std::string& text) {
+  static const std::regex no_code(R"(//[^\n]*|/\*[^*]*\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])')");
+  std::string code = text;
+  for (std::sregex_iterator match(text.begin(), text.end(), no_code), end; match != end; ++match) {
+    std::fill_n(code.begin() + match->position(), match->length(), ' ');
+  }
+  return code;
+}
+
+std::string trimmed(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(' ');
+  return first == std::string::npos ? "" : line.substr(first);
+}
+
+std::string larger(const std::string& number) {
+  const double value = std::stod(number);
+  return formatted("%.6gf", value == 0 ? 0.02 : 1.02 * value);
+}
+
+struct Line {
+  std::size_t begin;
+  int number;
+  std::string code, text;
+};
+
+void add_mutants(std::vector<Mutant>& mutants, const std::string& file, const Line& line) {
+  for (const Rule& rule : rules()) {
+    for (std::sregex_iterator match(line.code.begin(), line.code.end(), rule.pattern), end; match != end; ++match) {
+      const auto place = static_cast<std::size_t>(match->position(1));
+      const auto length = static_cast<std::size_t>(match->length(1));
+      Mutant mutant{file, rule.kind, line.number, place + 1, line.begin + place, length, rule.replacement, {}, {}};
+      if (rule.replacement == "2 %") mutant.replacement = larger((*match)[1]);
+      std::string after = line.text;
+      after.replace(place, length, mutant.replacement);
+      mutant.before = trimmed(line.text);
+      mutant.after = trimmed(after);
+      mutants.push_back(std::move(mutant));
+    }
+  }
+}
+
+}  // namespace
+
+std::string Mutant::name() const {
+  return formatted("%s:%d:%zu %s => %s", file.c_str(), line, column, before.c_str(), after.c_str());
+}
+
+std::vector<Mutant> mutants_of(const std::string& file, const std::string& text) {
+  const std::string code = code_of(text);
+  std::vector<Line> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back({begin, static_cast<int>(lines.size()) + 1, code.substr(begin, end - begin),
+                     text.substr(begin, end - begin)});
+    begin = end + 1;
+  }
+  std::vector<Mutant> mutants;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool throws_next = i + 1 < lines.size() && lines[i + 1].code.find("throw ") != std::string::npos;
+    if (!is_check(lines[i].code) && !throws_next) add_mutants(mutants, file, lines[i]);
+  }
+  std::ranges::stable_sort(mutants, {}, &Mutant::begin);
+  return mutants;
+}
+
+std::string mutated(const std::string& text, const Mutant& mutant) {
+  std::string changed = text;
+  return changed.replace(mutant.begin, mutant.length, mutant.replacement);
+}
+
+std::vector<Mutant> sample_of(const std::vector<Mutant>& all, std::size_t n, std::uint64_t seed) {
+  std::vector<std::size_t> places(all.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::ranges::shuffle(places, std::mt19937_64(seed));
+  places.resize(std::min(places.size(), n));
+  std::ranges::sort(places);
+  std::vector<Mutant> chosen;
+  for (std::size_t place : places) chosen.push_back(all[place]);
+  return chosen;
+}
+
+}  // namespace fairlight

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include <fairlight/render/parallel.h>
+#include <fairlight/render/progress.h>
+#include <fairlight/render/whole_file.h>
+#include <fairlight/stats/seed.h>
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/audit/mutation_run.h>
+#include <fairlight/validation/commands.h>
+
+namespace fairlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MutateOptions {
+  std::string seed, results, report;
+  std::vector<std::string> sources;
+  std::size_t sample = 100, files = 3;
+  int threads = hardware_threads();
+};
+
+// The estimators and the path tracer: what the claims of the registry are about.
+const std::vector<std::string> tracer{"camera",    "direct_light", "geometry",     "light_table", "path_tracer",
+                                      "rectangle", "sphere",       "surface_bsdf", "traced_scene"};
+
+std::vector<std::string> mutable_sources(const std::string& root) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(root + "/estimators")) {
+    if (entry.path().extension() == ".h") files.push_back("estimators/" + entry.path().filename().string());
+  }
+  for (const std::string& stem : tracer) files.push_back("render/" + stem + ".h");
+  std::ranges::sort(files);
+  return files;
+}
+
+std::vector<Mutant> all_mutants(const std::string& root, const std::vector<std::string>& only) {
+  const std::vector<std::string> files = mutable_sources(root);
+  for (const std::string& file : only) {
+    if (std::ranges::find(files, file) == files.end())
+      throw std::invalid_argument("\"" + file +
+                                  "\" is not mutated (headers of estimators/ and of the path tracer are)");
+  }
+  std::vector<Mutant> mutants;
+  for (const std::string& file : only.empty() ? files : only) {
+    std::ifstream stream(root + "/" + file, std::ios::binary);
+    for (Mutant& m : mutants_of(file, {std::istreambuf_iterator<char>(stream), {}}))
+      mutants.push_back(std::move(m));
+  }
+  return mutants;
+}
+
+// What became of mutants, a line of JSON each, so that a run that is ended goes on where it was.
+class Results {
+ public:
+  explicit Results(const std::string& path) : path_(path) {
+    std::ifstream lines(path);
+    for (std::string line; std::getline(lines, line);) {
+      const auto json = nlohmann::json::parse(line, nullptr, false);
+      if (!json.is_object() || !json.contains("mutant") || !json.contains("fate"))
+        throw std::runtime_error("\"" + path + "\" does not hold results of a mutation run (give another file)");
+      fates_[json["mutant"]] = {fate_named(json["fate"]), json["by"], json["seconds"]};
+    }
+  }
+
+  bool knows(const Mutant& mutant) const { return fates_.contains(mutant.name()); }
+  const Fate& fate(const Mutant& mutant) const { return fates_.at(mutant.name()); }
+
+  void add(const Mutant& mutant, const Fate& fate) {
+    const std::lock_guard lock(mutex_);
+    fates_[mutant.name()] = fate;
+    if (path_.empty()) return;
+    std::ofstream out(path_, std::ios::app);
+    out << nlohmann::json({{"mutant", mutant.name()},
+                           {"kind", mutant.kind},
+                           {"fate", name(fate.kind)},
+                           {"by", fate.by},
+                           {"seconds", fate.seconds}})
+               .dump()
+        << std::endl;
+    if (!out) throw std::runtime_error("cannot write \"" + path_ + "\" (is the disk full?)");
+  }
+
+ private:
+  std::string path_;
+  std::map<std::string, Fate> fates_;
+  std::mutex mutex_;
+};
+
+void run_mutants(const std::vector<Mutant>& mutants, const MutateOptions& options, Results& results) {
+  const std::string pattern = (fs::temp_directory_path() / "fairlight-mutate-XXXXXX").string();
+  std::string scratch = pattern;
+  if (mkdtemp(scratch.data()) == nullptr) throw std::runtime_error("cannot make \"" + pattern + "\" (is it full?)");
+  MutationRun run(this_build(), scratch);
+  const Progress progress = progress_bar("audit mutate");
+  std::atomic<int> done = 0;
+  const auto n = static_cast<int>(mutants.size());
+  for_each_unit(n, options.threads, [&](int i) {
+    const Mutant& mutant = mutants[static_cast<std::size_t>(i)];
+    if (!results.knows(mutant)) results.add(mutant, run.judge(mutant, options.files));
+    const int so_far = ++done;
+    if (progress) progress(static_cast<double>(so_far) / n);
+  });
+  fs::remove_all(scratch);
+}
+
+std::size_t count(const std::vector<Mutant>& mutants, const Results& results, Fate::Kind kind) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(mutants, [&](const Mutant& m) { return results.fate(m).kind == kind; }));
+}
+
+std::string summary(const std::vector<Mutant>& mutants, const Results& results) {
+  const std::size_t killed = count(mutants, results, Fate::Kind::killed);
+  const std::size_t alive = killed + count(mutants, results, Fate::Kind::survived);
+  return formatted("%zu of %zu mutants killed (%.1f %%); %zu more are equivalent, %zu do not compile", killed,
+                   alive, alive == 0 ? 100.0 : 100.0 * static_cast<double>(killed) / static_cast<double>(alive),
+                   count(mutants, results, Fate::Kind::equivalent),
+                   count(mutants, results, Fate::Kind::no_program));
+}
+
+std::string report(const std::vector<Mutant>& mutants, const Results& results, const std::string& command) {
+  std::string page = "# Mutants that survived\n\n`" + command + "`: " + summary(mutants, results) + ".\n";
+  for (const Mutant& m : mutants) {
+    if (results.fate(m).kind != Fate::Kind::survived) continue;
+    page += formatted("\n`%s`, line %d, certified by all claims of %s:\n\n```\n-%s\n+%s\n```\n", m.file.c_str(),
+                      m.line, results.fate(m).by.c_str(), m.before.c_str(), m.after.c_str());
+  }
+  return page;
+}
+
+int mutate(const MutateOptions& options) {
+  if (!options.report.empty()) WholeFile::check_writable(options.report);
+  const std::string seed = options.seed.empty() ? seed_text(fresh_seed()) : options.seed;
+  const std::vector<Mutant> all = all_mutants(this_build().source, options.sources);
+  const std::vector<Mutant> mutants = sample_of(all, options.sample, parse_seed(seed));
+  Results results(options.results);
+  run_mutants(mutants, options, results);
+  for (const Mutant& m : mutants) {
+    const Fate& fate = results.fate(m);
+    std::printf("%-10s %-8s %6.1f s  %s\n    %s\n", name(fate.kind), m.kind.c_str(), fate.seconds, m.name().c_str(),
+                fate.by.c_str());
+  }
+  std::printf("%s (a sample of %zu mutants, seed %s)\n", summary(mutants, results).c_str(), all.size(),
+              seed.c_str());
+  const std::string command =
+      formatted("fairlight audit mutate --sample %zu --seed %s", options.sample, seed.c_str());
+  if (!options.report.empty()) write_whole(options.report, report(mutants, results, command));
+  const std::size_t killed = count(mutants, results, Fate::Kind::killed);
+  return 20 * count(mutants, results, Fate::Kind::survived) <=
+                 killed + count(mutants, results, Fate::Kind::survived)
+             ? 0
+             : 1;
+}
+
+}  // namespace
+
+void add_mutate_command(CLI::App& audit, Command& command) {
+  auto* app = audit.add_subcommand(
+      "mutate", "Change one operator, constant, cosine or sign of the sources at a time: the claims must notice");
+  auto options = std::make_shared<MutateOptions>();
+  app->add_option("sources", options->sources,
+                  "Which headers: all of estimators/ and the path tracer if none given")
+      ->type_name("FILE");
+  app->add_option("--sample", options->sample, "How many mutants, each as likely as any; half a minute each")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+      ->capture_default_str();
+  app->add_option("--seed", options->seed, "Which mutants: the 16 hexadecimal digits that a run printed");
+  app->add_option("--files", options->files, "How many files of claims, the most concerned first, are run at most")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100}))
+      ->capture_default_str();
+  app->add_option("--results", options->results,
+                  "A file that keeps what became of each: with the same seed a run that was ended goes on")
+      ->type_name("F.jsonl");
+  app->add_option("--report", options->report, "The mutants that survived, as a page")->type_name("F.md");
+  app->add_option("--threads", options->threads, "Mutants at once")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app->callback([options, &command] { command = [options] { return mutate(*options); }; });
+}
+
+}  // namespace fairlight

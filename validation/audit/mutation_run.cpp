@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include <fairlight/render/whole_file.h>
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/audit/mutation_run.h>
+#include <fairlight/validation/provenance/subprocess.h>
+#include <fairlight/validation/registry.h>
+
+namespace fairlight {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* fate_names[] = {"killed", "survived", "equivalent", "no program"};
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+int shell(const std::string& folder, const std::string& command) {
+  return run_process({"sh", "-c", "cd '" + folder + "' && " + command}).status;
+}
+
+// How the build compiles each file of claims/ for every machine, but for the name of the object.
+std::map<std::string, std::string> compile_commands(const BuildPlaces& places) {
+  const std::string folder = places.source + "/validation/claims/";
+  std::map<std::string, std::string> commands;
+  for (const auto& entry : nlohmann::json::parse(read(places.build + "/compile_commands.json"))) {
+    const std::string file = entry["file"], command = entry["command"];
+    if (!file.starts_with(folder) || command.find("FAIRLIGHT_ENTRY") != std::string::npos) continue;
+    commands[file.substr(folder.size())] = std::regex_replace(command, std::regex(" -o \\S+"), "");
+  }
+  return commands;
+}
+
+std::string link_command(const BuildPlaces& places) {
+  const std::string all = run_process({"ninja", "-C", places.build, "-t", "commands", "fairlight"}).out;
+  const std::size_t end = all.find_last_not_of('\n') + 1;
+  const std::size_t begin = all.rfind('\n', end - 1) + 1;
+  const std::string last = all.substr(begin, end - begin);
+  if (last.find(" -o fairlight ") == std::string::npos) {
+    throw std::runtime_error("it is not known how \"" + places.build +
+                             "\" links the program (build it with ninja)");
+  }
+  return last;
+}
+
+// After the compiler's own name, which is the first word with a path.
+std::string with_options(const std::string& command, const std::string& options) {
+  static const std::regex compiler(R"(^((?:: && )?\S+))");
+  return std::regex_replace(command, compiler, "$1 " + options, std::regex_constants::format_first_only);
+}
+
+std::vector<std::string> components_of(const std::string& text) {
+  static const std::regex declaration(R"((?:^|\n)(?:struct|class) (\w+))");
+  std::vector<std::string> names;
+  for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match)
+    names.push_back((*match)[1]);
+  return names;
+}
+
+}  // namespace
+
+const char* name(Fate::Kind kind) { return fate_names[static_cast<int>(kind)]; }
+
+Fate::Kind fate_named(const std::string& name) {
+  const auto* found = std::ranges::find(fate_names, name);
+  if (found == std::end(fate_names)) throw std::invalid_argument("\"" + name + "\" is no fate of a mutant");
+  return static_cast<Fate::Kind>(found - std::begin(fate_names));
+}
+
+// A folder for one mutant, gone with it: include/ is searched first.
+struct MutationRun::Workplace {
+  explicit Workplace(const std::string& scratch) {
+    std::string pattern = scratch + "/mutant-XXXXXX";
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw std::runtime_error("cannot make a folder in \"" + scratch + "\" (it must exist, and be writable)");
+    folder = pattern;
+  }
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+  ~Workplace() {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+  std::string object() const { return folder + "/claims.o"; }
+  std::string program() const { return folder + "/fairlight"; }
+
+  std::string folder;
+};
+
+MutationRun::MutationRun(const BuildPlaces& places, std::string scratch)
+    : places_(places),
+      scratch_(std::move(scratch)),
+      link_(link_command(places)),
+      sources_(places),
+      compile_(compile_commands(places)) {
+  for (const Claim& claim : registry())
+    sources_.files_of(claim.file);  // throws where one is newer than the program
+}
+
+std::vector<std::string> MutationRun::concerned(const std::string& source) {
+  const std::lock_guard lock(mutex_);
+  const std::vector<std::string> names = components_of(read(fs::path(places_.source) / source));
+  std::map<std::string, int> about;
+  for (const Claim& claim : registry()) {
+    if (!sources_.files_of(claim.file).contains(source)) continue;
+    about[claim.file] += static_cast<int>(std::ranges::count_if(claim.subjects, [&](const std::string& subject) {
+      return std::ranges::find(names, subject) != names.end();
+    }));
+  }
+  std::vector<std::string> files;
+  for (const auto& [file, claims] : about) files.push_back(file);
+  std::ranges::stable_sort(files, [&](const std::string& a, const std::string& b) { return about[a] > about[b]; });
+  return files;
+}
+
+Fate MutationRun::judge(const Mutant& mutant, std::size_t most_files) {
+  const auto start = std::chrono::steady_clock::now();
+  const Workplace place(scratch_);
+  Fate fate = judge_in(place, mutant, most_files);
+  fate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return fate;
+}
+
+Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::size_t most_files) {
+  const fs::path header = fs::path(place.folder) / "include/fairlight" / mutant.file;
+  fs::create_directories(header.parent_path());
+  write_whole(header.string(), mutated(read(fs::path(places_.source) / mutant.file), mutant));
+  std::vector<std::string> files = concerned(mutant.file);
+  files.resize(std::min(files.size(), most_files));
+  std::string run;
+  bool changed = false;
+  for (const std::string& file : files) {
+    if (!compile(place, file)) return {Fate::Kind::no_program, file};
+    if (same_as_unchanged(place, file)) continue;
+    changed = true;
+    const std::string by = killer(place, file);
+    if (!by.empty()) return {Fate::Kind::killed, by};
+    run += (run.empty() ? "" : " ") + file;
+  }
+  return changed ? Fate{Fate::Kind::survived, run} : Fate{Fate::Kind::equivalent, ""};
+}
+
+bool MutationRun::compile(const Workplace& place, const std::string& claim_file) const {
+  const std::string options = "-I'" + place.folder + "/include'";
+  return shell(places_.build,
+               with_options(compile_.at(claim_file), options) + " -O1 -w -o '" + place.object() + "'") == 0;
+}
+
+// The object of the right sources is compiled once.
+bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& claim_file) {
+  const std::lock_guard lock(mutex_);
+  const std::string object = scratch_ + "/" + claim_file + ".o";
+  if (!fs::exists(object)) {
+    const Workplace unchanged(scratch_);
+    if (!compile(unchanged, claim_file))
+      throw std::runtime_error("\"" + claim_file + "\" does not compile as it is (build the program first)");
+    fs::rename(unchanged.object(), object);
+  }
+  return read(object) == read(place.object());
+}
+
+// The name of a claim that finds it biased, or how the program stopped; nothing where all are certified.
+std::string MutationRun::killer(const Workplace& place, const std::string& claim_file) const {
+  std::string link = std::regex_replace(with_options(link_, "'" + place.object() + "'"),
+                                        std::regex(" -o fairlight "), " -o '" + place.program() + "' ");
+  if (shell(places_.build, link) != 0)
+    throw std::runtime_error("the program cannot be linked with a changed \"" + claim_file + "\" (try ninja)");
+  std::string claims;
+  for (const Claim& claim : registry()) {
+    if (claim.file == claim_file) claims += " '" + claim.name + "'";
+  }
+  for (const char* seconds : {" --seconds 10", ""}) {
+    const int status = shell(place.folder, "timeout 600 ./fairlight verify" + claims + seconds +
+                                               " --instructions sse2 --threads 1 --json findings.json");
+    if (status != 0 && !fs::exists(place.folder + "/findings.json"))
+      return "it stopped with the status " + std::to_string(status);
+    if (status == 0) return "";
+    const auto findings = nlohmann::json::parse(read(place.folder + "/findings.json"));
+    for (const auto& finding : findings["claims"]) {
+      if (finding["verdict"] == "biased") return finding["name"];
+    }
+    fs::remove(place.folder + "/findings.json");
+  }
+  return "no verdict";
+}
+
+}  // namespace fairlight

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <fairlight/validation/audit/mutants.h>
+#include <fairlight/validation/provenance/sources.h>
+
+namespace fairlight {
+
+/// What became of a mutant.
+struct Fate {
+  enum class Kind {
+    killed,      ///< a claim says `biased`, or the program stops
+    survived,    ///< every claim that was run is certified
+    equivalent,  ///< the compiler makes the same of it as of the right source
+    no_program,  ///< it does not compile
+  };
+  Kind kind;
+  std::string by;  ///< the claim that killed it, or how the program stopped; or which files of claims were run
+  double seconds = 0;
+};
+const char* name(Fate::Kind kind);
+Fate::Kind fate_named(const std::string& name);  ///< throws std::invalid_argument for any other name
+
+/// Compiles mutants into claims, and runs these. The sources stay as they are: the changed header stands in a folder that is searched
+/// first, the claims' file is compiled against it without the last optimisations, and the program is linked as its build links it.
+class MutationRun {
+ public:
+  /// Works in `scratch`, a folder that exists. Throws std::runtime_error where the build is gone or the sources are newer than the program.
+  MutationRun(const BuildPlaces& places, std::string scratch);
+
+  /// The files of claims/ that rest on a source, those with the most claims about its components first.
+  std::vector<std::string> concerned(const std::string& source);
+
+  /// Runs the claims of at most so many of the files concerned, until one kills it. May be called from several threads at once.
+  Fate judge(const Mutant& mutant, std::size_t most_files);
+
+ private:
+  struct Workplace;
+
+  Fate judge_in(const Workplace& place, const Mutant& mutant, std::size_t most_files);
+  bool compile(const Workplace& place, const std::string& claim_file) const;
+  bool same_as_unchanged(const Workplace& place, const std::string& claim_file);
+  std::string killer(const Workplace& place, const std::string& claim_file) const;
+
+  BuildPlaces places_;
+  std::string scratch_, link_;
+  Sources sources_;
+  std::map<std::string, std::string> compile_;  // by the file of claims/
+  std::mutex mutex_;
+};
+
+}  // namespace fairlight
