@@ -84,12 +84,27 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("verify pick --report a.md --json ./a.md", "same file");
   expect_bad_input("verify pick --report .", "cannot write");
   expect_bad_input("audit faults --seeds 0", "seeds");
+  expect_bad_input("audit mutate --sample 0", "sample");
+  expect_bad_input("audit mutate estimators/nope.h", "estimators/nope.h");
+  expect_bad_input("audit mutate --seed mutant", "mutant");
+  expect_bad_input("audit mutate --results .", "cannot write");
+}
+
+TEST(Program, GoesOnWithNoForeignResultsOfMutants) {
+  const TemporaryFolder folder;
+  for (const char* line :
+       {"{\"mutant\": 1}\n", "none\n", R"({"mutant": "a", "fate": "eaten", "by": "", "seconds": 1})"}) {
+    write_file(folder / "a.jsonl", line);
+    const Result run = fairlight("audit mutate --results a.jsonl", folder);
+    EXPECT_EQ(run.status, 2) << line;
+    EXPECT_EQ(read_file(folder / "a.jsonl"), line);
+  }
 }
 
 TEST(Program, GivesHelpForEveryCommand) {
   const TemporaryFolder folder;
-  for (const char* command : {"", "verify", "audit", "audit faults", "audit ledger", "ledger", "ledger show",
-                              "ledger merge", "render", "merge", "scenes"}) {
+  for (const char* command : {"", "verify", "audit", "audit faults", "audit ledger", "audit mutate", "ledger",
+                              "ledger show", "ledger merge", "render", "merge", "scenes"}) {
     const Result run = fairlight(std::string(command) + " --help", folder);
     EXPECT_EQ(run.status, 0) << command;
     EXPECT_GT(run.out.size(), 40u) << command;

@@ -70,7 +70,9 @@ TEST(Mutants, AreSampledBySeed) {
   EXPECT_EQ(names(3, 1).size(), 3);
   EXPECT_EQ(names(3, 1), names(3, 1));
   EXPECT_NE(names(3, 1), names(3, 2));
-  EXPECT_THAT(names(5, 1), ::testing::IsSupersetOf(names(3, 1)));
+  std::vector<std::string> more = names(5, 1);
+  more.resize(3);
+  EXPECT_EQ(names(3, 1), more);
   EXPECT_EQ(names(100, 1).size(), 7);
 }
 

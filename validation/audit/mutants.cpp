@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 #include <random>
 #include <regex>
 
@@ -123,13 +122,9 @@ std::string mutated(const std::string& text, const Mutant& mutant) {
 }
 
 std::vector<Mutant> sample_of(const std::vector<Mutant>& all, std::size_t n, std::uint64_t seed) {
-  std::vector<std::size_t> places(all.size());
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  std::ranges::shuffle(places, std::mt19937_64(seed));
-  places.resize(std::min(places.size(), n));
-  std::ranges::sort(places);
-  std::vector<Mutant> chosen;
-  for (std::size_t place : places) chosen.push_back(all[place]);
+  std::vector<Mutant> chosen = all;
+  std::ranges::shuffle(chosen, std::mt19937_64(seed));
+  chosen.resize(std::min(chosen.size(), n));
   return chosen;
 }
 

@@ -29,8 +29,8 @@ std::vector<Mutant> mutants_of(const std::string& file, const std::string& text)
 /// The text with the change made.
 std::string mutated(const std::string& text, const Mutant& mutant);
 
-/// So many of them, at most all, each as likely as any, in their order; the same for the same seed, and all of them among any
-/// greater number by that seed.
+/// So many of them, at most all, each as likely as any, in the order in which they are drawn: the same for the same seed, of which a greater
+/// number goes on where a smaller one ends.
 std::vector<Mutant> sample_of(const std::vector<Mutant>& all, std::size_t n, std::uint64_t seed);
 
 }  // namespace fairlight

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -62,12 +65,15 @@ std::vector<Mutant> all_mutants(const std::string& root, const std::vector<std::
 class Results {
  public:
   explicit Results(const std::string& path) : path_(path) {
+    if (!path.empty()) WholeFile::check_writable(path);
     std::ifstream lines(path);
     for (std::string line; std::getline(lines, line);) {
       const auto json = nlohmann::json::parse(line, nullptr, false);
-      if (!json.is_object() || !json.contains("mutant") || !json.contains("fate"))
+      try {
+        fates_[json.at("mutant")] = {fate_named(json.at("fate")), json.at("by"), json.at("seconds")};
+      } catch (const std::exception&) {
         throw std::runtime_error("\"" + path + "\" does not hold results of a mutation run (give another file)");
-      fates_[json["mutant"]] = {fate_named(json["fate"]), json["by"], json["seconds"]};
+      }
     }
   }
 
@@ -140,9 +146,10 @@ int mutate(const MutateOptions& options) {
   if (!options.report.empty()) WholeFile::check_writable(options.report);
   const std::string seed = options.seed.empty() ? seed_text(fresh_seed()) : options.seed;
   const std::vector<Mutant> all = all_mutants(this_build().source, options.sources);
-  const std::vector<Mutant> mutants = sample_of(all, options.sample, parse_seed(seed));
+  std::vector<Mutant> mutants = sample_of(all, options.sample, parse_seed(seed));
   Results results(options.results);
   run_mutants(mutants, options, results);
+  std::ranges::sort(mutants, {}, [](const Mutant& m) { return std::pair(m.file, m.begin); });
   for (const Mutant& m : mutants) {
     const Fate& fate = results.fate(m);
     std::printf("%-10s %-8s %6.1f s  %s\n    %s\n", name(fate.kind), m.kind.c_str(), fate.seconds, m.name().c_str(),
