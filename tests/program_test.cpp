@@ -58,6 +58,8 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("merge none.exr -o a.exr", "none.exr");
   expect_bad_input("verify hemisphere.cosine.lw", "hemisphere.cosine.law");
   expect_bad_input("verify pick --seed 12q", "12q");
+  expect_bad_input("verify pick --seed 0123456789abcdef-0123456", "no token");
+  expect_bad_input("verify pick --seed 0123456789abcdef-00000000", "other sources");
   expect_bad_input("verify pick --margin 0", "margin");
   expect_bad_input("verify pick --margin 2", "margin");
   expect_bad_input("verify pick --budget 1", "budget");

@@ -13,6 +13,7 @@
 #include <fairlight/validation/commands.h>
 #include <fairlight/validation/conformance.h>
 #include <fairlight/validation/ledger/ledger_run.h>
+#include <fairlight/validation/provenance/replay_token.h>
 #include <fairlight/validation/provenance/since.h>
 #include <fairlight/validation/registry.h>
 #include <fairlight/validation/report/artifacts.h>
@@ -150,7 +151,7 @@ int verify(const VerifyOptions& options) {
   if (claims.empty()) return 0;
   Conformance conformance = options.conformance;
   conformance.instructions = claimed_instructions(conformance.instructions);  // of which the last digits may depend
-  conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
+  conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_replay_token(options.seed);
   check_outputs(options);
   std::optional<LedgerRun> ledger;
   if (!options.ledger.empty()) ledger.emplace(options.ledger, claims, this_build());
@@ -183,7 +184,8 @@ void add_verify_command(CLI::App& program, Command& command) {
   app->add_option("--margin", terms.margin, "The relative bias to exclude")->capture_default_str();
   app->add_option("--budget", terms.budget, "The probability of a false alarm in a whole run")
       ->capture_default_str();
-  app->add_option("--seed", options->seed, "Replays a run: the 16 hexadecimal digits that it printed");
+  app->add_option("--seed", options->seed,
+                  "Replays a run: the token that it printed, or a seed of 1 to 16 hexadecimal digits");
   app->add_option("--instructions", options->conformance.instructions,
                   "Whose packets: sse2 or avx512; the widest that this machine has if not given")
       ->type_name("SET");

@@ -72,7 +72,7 @@ TEST(Markdown, ShowsAFailureWithItsPictureByARelativeLink) {
   EXPECT_TRUE(page.starts_with("# fairlight verify: biased\n")) << page;
   for (const char* text :
        {"## pick.one.dice: biased", "why so", "(seen/pick.one.dice/wealth", "(seen/intervals.png)",
-        "fairlight verify pick.one.dice --seed 0000000000000003 --margin", "again and again",
+        "fairlight verify pick.one.dice --seed 0000000000000003-", "again and again",
         "| importance.cosine.cosine_squared | certified |", "`0000000000000003`"}) {
     EXPECT_NE(page.find(text), std::string::npos) << text << "\n" << page;
   }

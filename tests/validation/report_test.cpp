@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fairlight/validation/provenance/replay_token.h>
 #include <fairlight/validation/registry.h>
 #include <fairlight/validation/report/report.h>
 
@@ -19,11 +20,12 @@ Outcome outcome(Verdict verdict) {
 }
 
 TEST(Report, SaysHowToReplayAClaim) {
-  EXPECT_EQ(replay("a.b", conformance), "fairlight verify a.b --seed 00000000000000ab");
-  EXPECT_EQ(replay("", conformance), "fairlight verify --seed 00000000000000ab");
+  const std::string token = replay_token(0xAB);
+  EXPECT_EQ(replay("a.b", conformance), "fairlight verify a.b --seed " + token);
+  EXPECT_EQ(replay("", conformance), "fairlight verify --seed " + token);
   Conformance unusual = conformance;
   unusual.terms.margin = 0.125;
-  EXPECT_EQ(replay("a.b", unusual), "fairlight verify a.b --seed 00000000000000ab --margin 0.125");
+  EXPECT_EQ(replay("a.b", unusual), "fairlight verify a.b --seed " + token + " --margin 0.125");
 }
 
 std::string printed(const std::vector<Outcome>& outcomes, Rows rows) {

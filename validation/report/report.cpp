@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <fairlight/stats/seed.h>
+#include <fairlight/validation/provenance/replay_token.h>
 #include <fairlight/validation/report/report.h>
 #include <fairlight/version.h>
 
@@ -16,7 +17,7 @@ int rank(Verdict verdict) { return verdict == Verdict::biased ? 0 : verdict == V
 
 std::string replay(const std::string& claims, const Conformance& conformance) {
   std::string command =
-      "fairlight verify" + (claims.empty() ? "" : " " + claims) + " --seed " + seed_text(conformance.terms.seed);
+      "fairlight verify" + (claims.empty() ? "" : " " + claims) + " --seed " + replay_token(conformance.terms.seed);
   const Conformance usual{{.seed = 0}};
   if (conformance.terms.margin != usual.terms.margin) command += " --margin " + digits(conformance.terms.margin);
   if (conformance.terms.budget != usual.terms.budget) command += " --budget " + digits(conformance.terms.budget);
