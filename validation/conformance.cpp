@@ -11,7 +11,8 @@
 namespace fairlight {
 namespace {
 
-constexpr double first_turn = 0.005;  // seconds
+constexpr double first_turn = 0.005;     // seconds
+constexpr double worth_preparing = 5.0;  // times what a claim needed before its first draws
 constexpr double between_words = 0.05;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -68,8 +69,8 @@ class Run {
     });
   }
 
-  // Runs a claim from its start, and for so many seconds at most from its first draws: what it does before them says nothing of
-  // what they will cost.
+  // Runs a claim from its start, and for so many seconds at most from its first draws: what it does before them, such as a law's
+  // quadrature, says nothing of what they will cost. As that is to be done once more in another turn, a turn is some times as long.
   void take_turn(std::size_t i, double most) {
     const Clock clock;
     Turn turn{outcomes_[i].seconds};
@@ -105,7 +106,7 @@ class Run {
       turn.first = now;
       turn.first_done = done;
     }
-    turn.ended = now - turn.first > most || time_is_up();
+    turn.ended = now - turn.first > std::max(most, worth_preparing * turn.first) || time_is_up();
     if (turn.ended || now - turn.told > between_words) {
       turn.left =
           done > turn.first_done ? (now - turn.first) * (1 - done) / (done - turn.first_done) : now / done - now;
