@@ -31,10 +31,13 @@ const std::string a_run = "verify pick.all.dice.latin --margin 0.05 ";
 TEST(Verify, AddsRunsUpInALedger) {
   const TemporaryFolder folder;
   for (const char* seed : {"1", "2", "3", "3"}) {
-    const Result run = fairlight(a_run + "--ledger l --seed " + seed, folder);
+    const Result run = fairlight(a_run + "--ledger l --json a.json --seed " + seed, folder);
     ASSERT_EQ(run.status, 0) << run.error;
     EXPECT_NE(run.out.find("ledger: l, "), std::string::npos) << run.out;
   }
+  const auto claim = nlohmann::json::parse(read_file(folder / "a.json"))["claims"][0];
+  EXPECT_EQ(claim["ledger"]["runs"], 3);
+  EXPECT_LT(claim["ledger"]["margin"], claim["margin"]);
   const Result show = fairlight("ledger show l", folder);
   EXPECT_EQ(show.status, 0) << show.error;
   EXPECT_NE(show.out.find("pick.all.dice"), std::string::npos) << show.out;

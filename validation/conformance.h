@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct Conformance {
   bool evidence = false;                        ///< whether outcomes keep what the tests saw
 };
 
+/// What a ledger certifies of a claim, by all of its runs together.
+struct Standing {
+  std::size_t runs;
+  double margin;  ///< infinite where it certifies none
+};
+
 /// What came of one claim.
 struct Outcome {
   const Claim* claim;
@@ -28,6 +35,7 @@ struct Outcome {
   double seconds;
   Evidence evidence{};
   bool out_of_time = false;  ///< that the time was up before its verdict
+  std::optional<Standing> ledger{};
 };
 
 /// Biased, or undecided though there was time.

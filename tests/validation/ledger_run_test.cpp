@@ -55,6 +55,8 @@ TEST(LedgerRun, SaysHowMuchFinerAMarginIsCertified) {
   EXPECT_NE(summary(run).find("1 runs: 0 of 1 claims"), std::string::npos) << summary(run);
   run.add(outcomes, with_seed(2));
   EXPECT_NE(summary(run).find("2 runs: 1 of 1 claims"), std::string::npos) << summary(run);
+  EXPECT_EQ(outcomes[0].ledger->runs, 2);
+  EXPECT_LT(outcomes[0].ledger->margin, 0.01 * claim().margin_factor);
 }
 
 TEST(LedgerRun, LeavesOutWhatHasNoEvidence) {

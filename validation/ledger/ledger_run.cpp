@@ -55,7 +55,8 @@ void LedgerRun::judge(Outcome& outcome, const Trial& trial) {
   if (entry == nullptr) return;
   ++kept_;
   runs_ = std::max(runs_, entry->seeds.size());
-  const double finer = trial.margin / entry->account.certified_margin(trial.beta);
+  outcome.ledger = {entry->seeds.size(), entry->account.certified_margin(trial.beta)};
+  const double finer = trial.margin / outcome.ledger->margin;
   if (finer > 1) finer_.push_back(finer);
   if (!entry->account.biased(trial.alpha) || outcome.finding.verdict == Verdict::biased) return;
   outcome.finding.verdict = Verdict::biased;

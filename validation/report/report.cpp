@@ -34,19 +34,21 @@ std::vector<Outcome> worst_first(std::vector<Outcome> outcomes) {
 
 nlohmann::json outcome_json(const Outcome& outcome, const Conformance& conformance) {
   const Finding& finding = outcome.finding;
-  return {{"name", outcome.claim->name},
-          {"kind", outcome.claim->kind},
-          {"verdict", name(finding.verdict)},
-          {"guarantee", name(finding.guarantee)},
-          {"margin", finding.margin},
-          {"bias", finding.bias},
-          {"interval", {finding.interval.lo, finding.interval.hi}},
-          {"samples", finding.draws},
-          {"seconds", outcome.seconds},
-          {"real", outcome.claim->real},
-          {"rounding", finding.rounding},
-          {"note", finding.note},
-          {"replay", replay(outcome.claim->name, conformance)}};
+  nlohmann::json json = {{"name", outcome.claim->name},
+                         {"kind", outcome.claim->kind},
+                         {"verdict", name(finding.verdict)},
+                         {"guarantee", name(finding.guarantee)},
+                         {"margin", finding.margin},
+                         {"bias", finding.bias},
+                         {"interval", {finding.interval.lo, finding.interval.hi}},
+                         {"samples", finding.draws},
+                         {"seconds", outcome.seconds},
+                         {"real", outcome.claim->real},
+                         {"rounding", finding.rounding},
+                         {"note", finding.note},
+                         {"replay", replay(outcome.claim->name, conformance)}};
+  if (outcome.ledger) json["ledger"] = {{"runs", outcome.ledger->runs}, {"margin", outcome.ledger->margin}};
+  return json;
 }
 
 nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
