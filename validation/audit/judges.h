@@ -21,8 +21,8 @@ bool fails_by_pbrt(const JudgedDraws& draws);
 /// Mitsuba 3: a z-test in every pixel and channel, with the variance of the reference, which is at least 1e-4, at 1 % corrected after
 /// Sidak for the number of pixels; 99.75 % of the pixels must pass. Draws are dealt to the pixels of a picture in equal parts,
 /// consecutive ones to a pixel; fewer draws than pixels make a smaller picture.
-/// Source   src/render/tests/test_renders.py, test_render; the smallest pictures in its tests have 48 x 48 pixels
-bool fails_by_mitsuba(const JudgedDraws& draws, std::size_t pixels = 48 * 48);
+/// Source   src/render/tests/test_renders.py, test_render; the smallest pictures found in its tests have 48 x 48 pixels
+bool fails_by_mitsuba(const JudgedDraws& draws, std::size_t pixels = std::size_t{48} * 48);
 
 /// Nori: Student's t-test with a variance of at least 1e-5, at 1 % corrected after Sidak for the number of tests in a file: the
 /// channels of a claim are such a file.
