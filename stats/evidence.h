@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <fairlight/stats/account.h>
 #include <fairlight/stats/betting_test.h>
+#include <fairlight/stats/mean_test.h>
 
 namespace fairlight {
 
@@ -49,6 +51,11 @@ struct Evidence {
   std::vector<Cells> laws;
   std::vector<Course> means;  ///< one a channel
   Ladder ladder;              ///< the same channels, for an account of many runs
+
+  /// Who wants the draws of a test of means themselves: told at its end what was claimed of them, where they come from, and how many
+  /// the test took. Those, and any beyond, may be drawn again while it listens, where a draw is a function of its number.
+  std::function<void(const std::vector<Reference>& references, const DrawBlock& draw_block, std::uint64_t draws)>
+      listener{};
 };
 
 }  // namespace fairlight

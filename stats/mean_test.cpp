@@ -54,6 +54,12 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
   }
 }
 
+void tell_listener(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block,
+                   std::uint64_t draws) {
+  if (trial.evidence == nullptr || !trial.evidence->listener) return;
+  trial.evidence->listener(references, draw_block, draws);
+}
+
 // Adds channels to the ladder of a claim, which may make several tests.
 void leave_ladder(const Trial& trial, const Ladder& ladder) {
   if (trial.evidence == nullptr) return;
@@ -139,6 +145,7 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
     Finding finding = worst_of(tests, references, trial.margin);
     if (!note.empty()) finding.note = note;
     if (trial.evidence != nullptr) leave_ladder(trial, ladder_of(trial, tests, references));
+    tell_listener(trial, references, draw_block, finding.draws);
     return with_token(trial, finding);
   } catch (const BadDraw& bad) {
     Finding finding{Verdict::biased, Guarantee::exact, trial.margin};
@@ -146,6 +153,7 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
     finding.draws = bad.draw() + 1;
     finding.note = bad.what();
     leave_ladder(trial, refuted_ladder(trial.margin, references.size()));
+    tell_listener(trial, references, draw_block, finding.draws);
     return with_token(trial, finding);
   }
 }

@@ -86,6 +86,9 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("verify pick --report a.md --json ./a.md", "same file");
   expect_bad_input("verify pick --report .", "cannot write");
   expect_bad_input("audit faults --seeds 0", "seeds");
+  expect_bad_input("audit judges --seeds 0", "seeds");
+  expect_bad_input("audit judges --margin 0", "margin");
+  expect_bad_input("audit judges --verdict", "--verdict");
   expect_bad_input("audit mutate --sample 0", "sample");
   expect_bad_input("audit mutate estimators/nope.h", "estimators/nope.h");
   expect_bad_input("audit mutate --seed mutant", "mutant");
@@ -105,8 +108,8 @@ TEST(Program, GoesOnWithNoForeignResultsOfMutants) {
 
 TEST(Program, GivesHelpForEveryCommand) {
   const TemporaryFolder folder;
-  for (const char* command : {"", "verify", "audit", "audit faults", "audit ledger", "audit mutate", "ledger",
-                              "ledger show", "ledger merge", "render", "merge", "scenes"}) {
+  for (const char* command : {"", "verify", "audit", "audit faults", "audit judges", "audit ledger", "audit mutate",
+                              "ledger", "ledger show", "ledger merge", "render", "merge", "scenes"}) {
     const Result run = fairlight(std::string(command) + " --help", folder);
     EXPECT_EQ(run.status, 0) << command;
     EXPECT_GT(run.out.size(), 40u) << command;

@@ -75,6 +75,51 @@ TEST(Evidence, ChangesNoFinding) {
   EXPECT_EQ(with.interval.lo, without.interval.lo);
 }
 
+// A test of coins in two channels, and the draws that it made, by channel.
+std::vector<std::vector<double>> tested(Evidence& evidence, const DrawBlock& draw_block) {
+  std::vector<std::vector<double>> draws(2);
+  Trial seen = trial;
+  seen.evidence = &evidence;
+  bool over = false;
+  const auto listener = evidence.listener;
+  evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock& again, std::uint64_t n) {
+    over = true;
+    listener(references, again, n);
+  };
+  test_means(seen, {half, half}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    draw_block(first, channels);
+    for (std::size_t c = 0; c < 2 && !over; ++c) {
+      draws[c].insert(draws[c].end(), channels[c].begin(), channels[c].end());
+    }
+  });
+  return draws;
+}
+
+TEST(Evidence, TellsAListenerTheVeryDrawsThatWereTested) {
+  std::vector<std::vector<double>> heard(2);
+  Evidence evidence;
+  evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock& again, std::uint64_t n) {
+    EXPECT_EQ(references.size(), 2u);
+    EXPECT_EQ(references[1].mean, 0.5);
+    for (auto& channel : heard) channel.resize(n);
+    again(0, heard);
+  };
+  const auto draws = tested(evidence, coins);
+  EXPECT_GT(draws[0].size(), 100u);
+  EXPECT_EQ(heard, draws);
+}
+
+TEST(Evidence, TellsAListenerOfADrawThatIsRuledOutToo) {
+  std::uint64_t heard = 0;
+  Evidence evidence;
+  evidence.listener = [&](const std::vector<Reference>&, const DrawBlock&, std::uint64_t n) { heard = n; };
+  tested(evidence, [](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    coins(first, channels);
+    if (first <= 30 && 30 < first + channels[0].size()) channels[0][30 - first] = 2;
+  });
+  EXPECT_EQ(heard, 31u) << "draws up to the one above its range";
+}
+
 TEST(Evidence, KeepsAFewHundredStepsInOrder) {
   BettingTest test({.mean = 0.5, .margin = 1e-6, .lower = 0, .upper = 1}, 1e-6, 0.01);
   Evidence::Course course(test);

@@ -93,6 +93,7 @@ void add_audit_command(CLI::App& program, Command& command) {
   sub->callback([options, &command] { command = [options] { return faults(*options); }; });
   add_tester_commands(*app, command);
   add_mutate_command(*app, command);
+  add_judges_command(*app, command);
 }
 
 }  // namespace fairlight

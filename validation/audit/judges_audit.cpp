@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+
+#include <fairlight/render/parallel.h>
+#include <fairlight/stats/evidence.h>
+#include <fairlight/stats/moments.h>
+#include <fairlight/validation/audit/judges.h>
+#include <fairlight/validation/audit/judges_audit.h>
+#include <fairlight/validation/faults/catalogue.h>
+#include <fairlight/validation/registry.h>
+
+namespace fairlight {
+namespace {
+
+// A claim with right code, and the faults' versions of it.
+struct Row {
+  const Claim* right;
+  std::vector<const Claim*> wrong;
+  std::vector<const Fault*> faults;  // of each wrong one
+};
+
+std::vector<Row> rows_of_catalogue(const Conformance& conformance) {
+  std::vector<Row> rows;
+  std::map<std::string, std::size_t> row_of;
+  for (const Fault& fault : fault_catalogue()) {
+    if (!fault.survives.empty()) continue;
+    for (const Claim& claim : fault.claims) {
+      if (claim.kind != "mean") continue;
+      const auto [at, is_new] = row_of.try_emplace(claim.name, rows.size());
+      if (is_new) rows.push_back({select_claims({claim.name}, conformance.instructions).front(), {}, {}});
+      rows[at->second].wrong.push_back(&claim);
+      rows[at->second].faults.push_back(&fault);
+    }
+  }
+  return rows;
+}
+
+// The first n draws of a test of means, in units of what is claimed of them.
+std::vector<std::vector<double>> first_draws(const std::vector<Reference>& references, const DrawBlock& draw_block,
+                                             std::uint64_t n) {
+  std::vector<std::vector<double>> channels(references.size(), std::vector<double>(n));
+  draw_block(0, channels);
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    for (double& x : channels[c]) x = 1 + (x - references[c].mean) / references[c].scale;
+  }
+  return channels;
+}
+
+// What is known of a row before any judgement.
+struct Plan {
+  std::uint64_t draws = 0;
+  std::vector<double> variances;
+};
+
+// As many samples a pixel as Mitsuba's reference pictures have, by default.
+constexpr std::uint64_t reference_draws = 32'000;
+
+Plan plan_of(const Row& row, Trial trial) {
+  Plan plan;
+  Evidence evidence;
+  evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock& draw_block, std::uint64_t n) {
+    if (std::ranges::any_of(references, [](const Reference& r) { return r.sides != Sides::both; }))
+      throw std::logic_error(row.right->name + " claims no mean (only a side of it, which others do not judge)");
+    plan.draws = n;
+    for (const auto& channel : first_draws(references, draw_block, reference_draws)) {
+      plan.variances.push_back(Moments::of(channel).variance());
+    }
+  };
+  trial.evidence = &evidence;
+  row.right->check(trial);
+  return plan;
+}
+
+// Who failed a run: fairlight, then the others in their order.
+struct Opinions {
+  std::vector<char> stopped, planned;
+};
+
+std::vector<char> opinions_on(const std::vector<std::vector<double>>& channels, std::uint64_t n,
+                              const std::vector<double>& variances) {
+  JudgedDraws draws{{}, variances};
+  for (const auto& channel : channels) draws.channels.push_back(std::span(channel).first(n));
+  std::vector<char> failed{0};
+  for (const Judge& judge : judges()) failed.push_back(judge.fails(draws) ? 1 : 0);
+  return failed;
+}
+
+Opinions opinions_of(const Claim& claim, Trial trial, const Plan& plan) {
+  Opinions opinions;
+  Evidence evidence;
+  evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock& draw_block, std::uint64_t n) {
+    const auto channels = first_draws(references, draw_block, std::max(n, plan.draws));
+    opinions.stopped = opinions_on(channels, n, plan.variances);
+    opinions.planned = opinions_on(channels, plan.draws, plan.variances);
+  };
+  trial.evidence = &evidence;
+  const bool failed = claim.check(trial).verdict != Verdict::certified;
+  opinions.stopped.at(0) = opinions.planned.at(0) = failed ? 1 : 0;
+  return opinions;
+}
+
+// One seed of a row.
+struct Hearing {
+  Opinions right;
+  std::vector<Opinions> wrong;
+};
+
+void count(Share& share, bool failed) {
+  share.count += failed ? 1 : 0;
+  ++share.of;
+}
+
+// hearings[row * seeds + seed]
+JudgeOutcome outcome_of(std::size_t judge, std::string name, const std::vector<Row>& rows,
+                        const std::vector<Hearing>& hearings, std::size_t seeds) {
+  JudgeOutcome outcome{std::move(name)};
+  std::vector<char> suite(seeds);
+  std::map<const Fault*, bool> killed;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::vector<std::size_t> times(rows[r].wrong.size());
+    for (std::size_t s = 0; s < seeds; ++s) {
+      const Hearing& hearing = hearings[r * seeds + s];
+      count(outcome.alarms, hearing.right.stopped[judge] != 0);
+      count(outcome.alarms_planned, hearing.right.planned[judge] != 0);
+      suite[s] |= hearing.right.planned[judge];
+      for (std::size_t w = 0; w < times.size(); ++w) {
+        count(outcome.kills, hearing.wrong[w].stopped[judge] != 0);
+        count(outcome.kills_planned, hearing.wrong[w].planned[judge] != 0);
+        times[w] += hearing.wrong[w].planned[judge] != 0 ? 1 : 0;
+      }
+    }
+    for (std::size_t w = 0; w < times.size(); ++w) {
+      bool& always = killed[rows[r].faults[w]];
+      always = always || times[w] == seeds;
+    }
+  }
+  for (char failed : suite) count(outcome.suites, failed != 0);
+  for (const auto& [fault, always] : killed) {
+    count(outcome.faults, always);
+    if (!always) outcome.missed.push_back(fault->name);
+  }
+  return outcome;
+}
+
+JudgesOutcome summary(const std::vector<Row>& rows, const std::vector<Plan>& plans,
+                      const std::vector<Hearing>& hearings, std::size_t seeds) {
+  JudgesOutcome outcome{{}, static_cast<int>(rows.size()), 0, 0};
+  for (const Row& row : rows) outcome.cells += static_cast<int>(row.wrong.size());
+  for (const Plan& plan : plans) outcome.planned_draws += static_cast<double>(plan.draws);
+  outcome.judges.push_back(outcome_of(0, "fairlight", rows, hearings, seeds));
+  for (std::size_t j = 0; j < judges().size(); ++j) {
+    outcome.judges.push_back(outcome_of(j + 1, judges()[j].name, rows, hearings, seeds));
+  }
+  return outcome;
+}
+
+}  // namespace
+
+JudgesOutcome audit_judges(const Conformance& conformance, int seeds, const Progress& progress) {
+  const std::vector<Row> rows = rows_of_catalogue(conformance);
+  const Manifest manifest = manifest_of(conformance);
+  const auto per_row = static_cast<std::size_t>(seeds);
+  std::vector<Plan> plans(rows.size());
+  std::vector<Hearing> hearings(rows.size() * per_row);
+  std::mutex mutex;
+  std::size_t done = 0;
+  const auto tell = [&] {
+    const std::lock_guard lock(mutex);
+    if (progress) progress(static_cast<double>(++done) / static_cast<double>(plans.size() + hearings.size()));
+  };
+  for_each_unit(static_cast<int>(rows.size()), conformance.threads, [&](int unit) {
+    const auto r = static_cast<std::size_t>(unit);
+    plans[r] = plan_of(rows[r], manifest.trial(rows[r].right->name));
+    tell();
+  });
+  for_each_unit(static_cast<int>(hearings.size()), conformance.threads, [&](int unit) {
+    const auto i = static_cast<std::size_t>(unit);
+    const Row& row = rows[i / per_row];
+    const Plan& plan = plans[i / per_row];
+    Trial trial = manifest.trial(row.right->name);
+    trial.seed += 1 + i % per_row;
+    hearings[i].right = opinions_of(*row.right, trial, plan);
+    for (const Claim* wrong : row.wrong) hearings[i].wrong.push_back(opinions_of(*wrong, trial, plan));
+    tell();
+  });
+  return summary(rows, plans, hearings, per_row);
+}
+
+}  // namespace fairlight

@@ -1,0 +1,91 @@
+#include <cstdio>
+#include <memory>
+
+#include <fairlight/render/parallel.h>
+#include <fairlight/render/progress.h>
+#include <fairlight/render/whole_file.h>
+#include <fairlight/stats/seed.h>
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/audit/judges_audit.h>
+#include <fairlight/validation/commands.h>
+#include <fairlight/validation/report/report.h>
+
+namespace fairlight {
+namespace {
+
+struct JudgesOptions {
+  std::string seed, json;
+  int seeds = 10;
+  Conformance conformance{{.seed = 0}, hardware_threads()};
+};
+
+std::string in_words(const Share& share) {
+  return formatted("%.1f %% (%d/%d)", 100.0 * share.count / share.of, share.count, share.of);
+}
+
+void print(const JudgesOutcome& outcome) {
+  std::printf("%-36s %18s %18s %18s %20s %20s %18s\n", "", "right code failed", "of planned size",
+              "suites, planned", "wrong code failed", "of planned size", "faults, planned");
+  for (const JudgeOutcome& o : outcome.judges) {
+    std::printf("%-36s %18s %18s %18s %20s %20s %18s\n", o.name.c_str(), in_words(o.alarms).c_str(),
+                in_words(o.alarms_planned).c_str(), in_words(o.suites).c_str(), in_words(o.kills).c_str(),
+                in_words(o.kills_planned).c_str(), in_words(o.faults).c_str());
+  }
+}
+
+nlohmann::json share_json(const Share& share) { return {{"count", share.count}, {"of", share.of}}; }
+
+nlohmann::json json_of(const JudgesOutcome& outcome, const Conformance& conformance) {
+  nlohmann::json judges = nlohmann::json::array();
+  for (const JudgeOutcome& o : outcome.judges) {
+    judges.push_back({{"name", o.name},
+                      {"alarms", share_json(o.alarms)},
+                      {"alarms_planned", share_json(o.alarms_planned)},
+                      {"suites", share_json(o.suites)},
+                      {"kills", share_json(o.kills)},
+                      {"kills_planned", share_json(o.kills_planned)},
+                      {"faults", share_json(o.faults)},
+                      {"missed", o.missed}});
+  }
+  return {{"judges", judges},
+          {"rows", outcome.rows},
+          {"cells", outcome.cells},
+          {"planned_draws", outcome.planned_draws},
+          {"margin", conformance.terms.margin},
+          {"seed", seed_text(conformance.terms.seed)}};
+}
+
+int run(const JudgesOptions& options) {
+  if (!options.json.empty()) WholeFile::check_writable(options.json);
+  Conformance conformance = options.conformance;
+  conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_seed(options.seed);
+  const JudgesOutcome outcome = audit_judges(conformance, options.seeds, progress_bar("audit judges"));
+  if (!options.json.empty()) write_json(options.json, json_of(outcome, conformance));
+  print(outcome);
+  std::printf(
+      "%d claims, %d times with a fault in them, %d seeds each; planned size: %.2e draws in all (first seed %s)\n",
+      outcome.rows, outcome.cells, options.seeds, outcome.planned_draws, seed_text(conformance.terms.seed).c_str());
+  const JudgeOutcome& fairlight = outcome.judges.front();
+  return fairlight.alarms.count == 0 && fairlight.faults.count == fairlight.faults.of ? 0 : 1;
+}
+
+}  // namespace
+
+void add_judges_command(CLI::App& audit, Command& command) {
+  auto* sub = audit.add_subcommand(
+      "judges", "The same faults and draws before the tests of other projects: false alarms, and what they miss");
+  auto options = std::make_shared<JudgesOptions>();
+  Conformance& conformance = options->conformance;
+  sub->add_option("--seeds", options->seeds, "How many seeds for each: two minutes a seed on one core")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  sub->add_option("--margin", conformance.terms.margin,
+                  "The relative bias that fairlight excludes, which sets the size")
+      ->capture_default_str();
+  sub->add_option("--seed", options->seed, "The first seed; fresh if not given");
+  sub->add_option("--json", options->json, "The table, as JSON")->type_name("F.json");
+  sub->add_option("--threads", conformance.threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  sub->callback([options, &command] { command = [options] { return run(*options); }; });
+}
+
+}  // namespace fairlight
