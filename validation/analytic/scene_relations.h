@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include <fairlight/stats/text.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
 #include <fairlight/validation/relations.h>
 
@@ -38,10 +37,12 @@ inline RelatedViews views_of(const std::string& scene, const std::string& relati
 
 /// Changes of the unit, of lengths and of light, by factors of 2, which floating point multiplies by without rounding; by shadow rays and
 /// bounces that share the light.
-inline RelatedViews resized(const std::string& scene, const std::string& relation, double scale) {
-  return views_of(scene, relation, "at " + formatted("%g", scale) + " times its size a scene looks as it did",
-                  moved(built_in_scene(scene), {.scale = scale}), 1, 3, "mis");
+inline RelatedViews resized(const std::string& scene, const std::string& relation, int exponent) {
+  return views_of(scene, relation, "at 2^" + std::to_string(exponent) + " of its size a scene looks as it did",
+                  moved(built_in_scene(scene), {.scale = std::ldexp(1.0, exponent)}), 1, 3, "mis");
 }
+inline RelatedViews smaller(const std::string& scene) { return resized(scene, "smaller", -20); }
+inline RelatedViews larger(const std::string& scene) { return resized(scene, "larger", 10); }
 inline RelatedViews brighter(const std::string& scene) {
   const View view = built_in_scene(scene);
   return views_of(scene, "brighter", "twice the light makes twice the picture",
@@ -60,16 +61,18 @@ inline constexpr PictureMeans box_means{2.49 * (1 + 0.8 + 0.64), 0.4, 1};
 /// Far away: path by path, but for what is rounded. A float knows a place that is 1e4 m away to half a millimetre on every axis. That
 /// moves the light by 0.85 mm at most, and where it is nearest, 16.5 m away, its light by 2 x 0.85e-3 / 16.5 = 1e-4.
 inline constexpr double rounding_far_away = 1e-4;
-inline auto far_away(double rounding) {
+template <template <class> class Wrong = AsItIs>
+auto far_away(double rounding) {
   const View view = built_in_scene("cornell-simple");
   PictureMeans means = box_means;
   means.same_numbers = true;
   means.rounding = rounding;
-  return same_means({"cornell-simple.relation.far",
-                     "1e4 m away a scene looks as it did" +
-                         std::string(rounding > 0 ? ", but for the half millimetre that floats know there" : ""),
-                     view, moved(view, {.shift = {1e4, -1e4, 1e4}}), related_settings("cone", "all", 3)},
-                    means);
+  return same_means<Wrong>(
+      {"cornell-simple.relation.far",
+       "1e4 m away a scene looks as it did" +
+           std::string(rounding > 0 ? ", but for the half millimetre that floats know there" : ""),
+       view, moved(view, {.shift = {1e4, -1e4, 1e4}}), related_settings("cone", "all", 3)},
+      means);
 }
 
 inline const Eigen::Matrix3d some_rotation = Eigen::AngleAxisd(2, Vec3<double>(1, 2, 3).normalized()).matrix();

@@ -21,11 +21,14 @@ void add_twice_the_samples(std::vector<Claim>& claims, const std::string& kind, 
 void add_relation_claims(std::vector<Claim>& claims) {
   // Of all kinds of surfaces and of rectangles.
   for (const std::string scene : {"cornell-materials", "cornell-original"}) {
-    add_same_paths(claims, resized(scene, "smaller", 0x1p-10));
-    add_same_paths(claims, resized(scene, "larger", 0x1p10));
-    add_same_paths(claims, brighter(scene));
+    add_same_paths(claims, smaller(scene));
+    add_same_paths(claims, larger(scene));
   }
-  for (const std::string scene : {"cornell-simple", "cornell-original"}) add_same_paths(claims, darker(scene));
+  // Of diffuse surfaces: gloss may reflect so little that its digits are lost at the end of the range of floats.
+  for (const std::string scene : {"cornell-simple", "cornell-original"}) {
+    add_same_paths(claims, brighter(scene));
+    add_same_paths(claims, darker(scene));
+  }
   claims.push_back(mean_claim<double>(far_away(0)));
   claims.push_back(mean_claim<Packet>(far_away(rounding_far_away)));
   add_independent_mean(claims, turned_floor());

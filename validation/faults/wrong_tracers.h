@@ -90,6 +90,49 @@ struct ShadowedByItself : SceneAsIs<Scene> {
   }
 };
 
+/// Shadow rays start a millimetre along, not to meet the surface that they leave: a length for scenes of some size. On record:
+/// GLSL-PathTracer #35.
+template <class Scene>
+struct ShadowsFromAMillimetre : SceneAsIs<Scene> {
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    const Real start = rounded<Real>(1e-3);
+    return this->scene.visible({ray.origin + start * ray.direction, ray.direction, Real(-1)}, distance - start,
+                               target, asked);
+  }
+};
+
+/// They start a thousandth of their distance from the world's origin along, wherever that is. On record: mitsuba3 #1962.
+template <class Scene>
+struct ShadowsByTheOrigin : SceneAsIs<Scene> {
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    const Real start = rounded<Real>(1e-3) * ray.origin.norm();
+    return this->scene.visible({ray.origin + start * ray.direction, ray.direction, ray.leaving}, distance - start,
+                               target, asked);
+  }
+};
+
+/// Surface 0 is taken for none. Of the class of an index that is asked whether it is true.
+template <class Scene>
+struct SurfaceZeroIsNone : SceneAsIs<Scene> {
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    return target != Real(0) && this->scene.visible(ray, distance, target, asked);
+  }
+};
+
+/// Of a normal two numbers are kept, and the third is taken for the positive root, as in a map of normals. Of the class of ByroRedux #3922.
+template <class Scene>
+struct NormalsUpwards : SceneAsIs<Scene> {
+  auto normal_at(const auto& surface, const auto& position) const {
+    using std::abs;
+    auto normal = this->scene.normal_at(surface, position);
+    normal.z() = abs(normal.z());
+    return normal;
+  }
+};
+
 /// Directions of little density are taken for errors, and count nothing. On record: dspbr-pt #5.
 template <class Real>
 struct GrazingClipped : CosineHemisphere<Real> {
