@@ -22,7 +22,7 @@ auto chosen_tracers(const RenderSettings& settings, const Scene& scene) {
   };
 }
 
-/// What surfaces reflect along the rays of a view's camera, in grey. What the camera sees of the luminaires themselves is left out:
+/// What surfaces reflect along the rays of a view's camera. What the camera sees of the luminaires themselves is left out:
 /// it is the same numbers many times over, and at a luminaire's rim a matter of an ulp.
 template <template <class> class Wrong = AsItIs>
 class ReflectedLight {
@@ -30,13 +30,18 @@ class ReflectedLight {
   ReflectedLight(const View& view, RenderSettings settings)
       : camera_(view.camera), all_(tracer(view, settings)), seen_(tracer(view, without_bounces(settings))) {}
 
-  /// Through a place of the picture, of which (0,0) is the upper left corner and (1,1) the lower right one.
+  /// In grey, through a place of the picture, of which (0,0) is the upper left corner and (1,1) the lower right one.
   template <class Real, class Source>
   Real operator()(std::type_identity<Real> real, const Vec2<Real>& place, Source& source) const {
-    const Ray<Real> ray = camera_.template ray<Real>(place.x(), place.y(), 1, 1, source);
+    const Rgb<Real> light = along(real, camera_.template ray<Real>(place.x(), place.y(), 1, 1, source), source);
+    return (light[0] + light[1] + light[2]) / Real(3);
+  }
+
+  /// Along a ray, in colour.
+  template <class Real, class Source>
+  Rgb<Real> along(std::type_identity<Real> real, const Ray<Real>& ray, Source& source) const {
     const Rgb<Real> seen = seen_.along(ray, real, source);
-    const Rgb<Real> reflected = all_.along(ray, real, source) - seen;
-    return (reflected[0] + reflected[1] + reflected[2]) / Real(3);
+    return all_.along(ray, real, source) - seen;
   }
 
  private:
@@ -91,7 +96,7 @@ Claim same_paths(const RelatedViews& views) {
 /// How the pictures of two views are compared by their means.
 struct PictureMeans {
   double largest;  ///< what a path brings at most, in either
-  double mean;     ///< no more than it is
+  double mean;     ///< of what surfaces reflect, in grey: no more than it is
   double margin_factor;
   bool same_numbers = false;  ///< both paths follow the same numbers, so that they part where roundings do alone
   double rounding = 0;        ///< of coordinates, relative to the mean

@@ -56,7 +56,7 @@ inline RelatedViews darker(const std::string& scene) {
 
 /// In the box of the paper, up to three bounces by cone: a shadow ray brings S f Le at most, where the light is nearest, at the
 /// ceiling: 2 (1 - sqrt(1 - (1.5 / 16.5)^2)) 0.75 400 = 2.49; the albedo is 0.8 at most.
-inline constexpr PictureMeans box_means{2.49 * (1 + 0.8 + 0.64), 0.4, 1};
+inline constexpr PictureMeans box_means{2.49 * (1 + 0.8 + 0.64), 0.19, 1};
 
 /// Far away: path by path, but for what is rounded. A float knows a place that is 1e4 m away to half a millimetre on every axis. That
 /// moves the light by 0.85 mm at most, and where it is nearest, 16.5 m away, its light by 2 x 0.85e-3 / 16.5 = 1e-4.
@@ -82,7 +82,7 @@ template <template <class> class Wrong = AsItIs>
 auto turned_box() {
   const View view = built_in_scene("cornell-simple");
   PictureMeans means = box_means;
-  means.margin_factor = 2;
+  means.margin_factor = 4;
   return same_means<Wrong>({"cornell-simple.relation.turned", "turned, a scene looks as it did", view,
                             moved(view, {.rotation = some_rotation}), related_settings("cone", "all", 3)},
                            means);
@@ -138,7 +138,7 @@ auto split_lamp(const std::string& which) {
   return same_means<Wrong>(
       {"lamp.relation.split." + which, split_statement(which), lamp,
        with(lamp, with_split_lights(lamp.scene, 0.25)), related_settings("solid-angle", which, 1)},
-      {4.4, 0.3, 2});
+      {4.4, 0.17, 4});
 }
 
 /// The measured box, its light cut so. A shadow ray brings 2 (17 x 0.725 + 12 x 0.71 + 4 x 0.68) / 3 = 15.8 in grey at most, twice that
@@ -150,7 +150,7 @@ auto split_box_light(const std::string& which) {
   return same_means<Wrong>(
       {"cornell-original.relation.split." + which, split_statement(which), view,
        with(view, with_split_lights(view.scene, 0.25)), related_settings("solid-angle", which, 3)},
-      {largest, 0.2, 4});
+      {largest, 0.049, 12});
 }
 
 }  // namespace fairlight
