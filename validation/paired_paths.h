@@ -31,14 +31,15 @@ struct DirectDifference {
   }
 };
 
-/// Luminaires are found by `one` and by `other`; all else is as `other` says.
-inline auto paired_tracers(const RenderSettings& one, const RenderSettings& other, const Scene& scene) {
+/// Luminaires are found by `one` and by `other`; all else is as `other` says. A fault finds the one's in a way of its own.
+template <template <class> class One = ChosenDirect>
+auto paired_tracers(const RenderSettings& one, const RenderSettings& other, const Scene& scene) {
   return [=]<class Real>(std::type_identity<Real>) {
     const Strategies strategies(other, scene);
-    using Direct = DirectDifference<ChosenDirect<Real>, ChosenDirect<Real>>;
+    using Direct = DirectDifference<One<Real>, ChosenDirect<Real>>;
     return PathTracer<ChosenBounces, Direct, ChosenRoulette>(
         strategies.max_depth,
-        Direct{ChosenDirect<Real>(Strategies(one, scene), scene), ChosenDirect<Real>(strategies, scene)},
+        Direct{One<Real>(Strategies(one, scene), scene), ChosenDirect<Real>(strategies, scene)},
         {strategies.bounce}, {strategies.roulette});
   };
 }
@@ -105,13 +106,13 @@ struct PartMeans {
 };
 
 /// The mean of the difference over each part of the picture; in packets alone, as so many paths take minutes in double.
-template <class Parts>
+template <class Parts, template <class> class One = ChosenDirect>
 Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double margin_factor) {
   std::vector<Reference> references;
   for (const double mean : parts.means) references.push_back({0, paths.darkest, paths.brightest, 0, mean});
   const View view = built_in_scene(paths.scene);
   const RadianceAlong difference(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1},
-                                 paired_tracers(paths.one, paths.other, view.scene));
+                                 paired_tracers<One>(paths.one, paths.other, view.scene));
   const auto draw = over_parts<Parts>(view.camera, [=](const Ray<Packet>& ray, auto& source) {
     return difference.along(ray, std::type_identity<Packet>{}, source);
   });

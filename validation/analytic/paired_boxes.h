@@ -41,6 +41,10 @@ inline PairedPaths measured_box_by_area() { return measured_box("area", "area", 
 
 inline PartMeans whole_of(double mean) { return {"picture", "over the picture", {mean}}; }
 inline PartMeans border_of(double mean) { return {"border", "over the outermost 8 pixels of 256", {mean}}; }
+inline PartMeans box_picture() { return whole_of(0.21); }
+inline PartMeans box_border() { return border_of(0.16); }
+inline PartMeans measured_box_picture() { return whole_of(0.049); }
+inline PartMeans measured_box_border() { return border_of(0.013); }
 /// Row by row.
 inline PartMeans box_tiles() {
   return {"tiles",

@@ -7,7 +7,7 @@ namespace {
 // Tiles and the border to 2 %; pictures to 0.2 % of their mean at least, half of which is the light itself, and more in the measured box:
 // to 0.2 % or 0.4 % of what surfaces reflect, which margins are relative to.
 void add_box(std::vector<Claim>& claims) {
-  const PartMeans picture = whole_of(0.21), border = border_of(0.16), tiles = box_tiles();
+  const PartMeans picture = box_picture(), border = box_border(), tiles = box_tiles();
   claims.push_back(presumed_light<WholePicture>(box_shared(), picture));
   claims.push_back(presumed_light<PictureBorder>(box_shared(), border));
   claims.push_back(presumed_light<PictureTiles<8>>(box_shared(), tiles));
@@ -22,7 +22,8 @@ void add_box(std::vector<Claim>& claims) {
 }
 
 void add_measured_box(std::vector<Claim>& claims) {
-  const PartMeans picture = whole_of(0.049), border = border_of(0.013), quarters = measured_box_quarters();
+  const PartMeans picture = measured_box_picture(), border = measured_box_border(),
+                  quarters = measured_box_quarters();
   claims.push_back(presumed_light<WholePicture>(measured_box_shared(), picture));
   claims.push_back(presumed_light<PictureBorder>(measured_box_shared(), border));
   claims.push_back(presumed_light<PictureTiles<2>>(measured_box_shared(), quarters));

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <fairlight/render/path_tracer.h>
+#include <fairlight/render/strategies.h>
 
 /// Wrong path tracers, and scenes that answer their rays wrongly; each a bug that somebody shipped, or of its class.
 namespace fairlight::faults {
@@ -131,6 +131,20 @@ struct NormalsUpwards : SceneAsIs<Scene> {
     normal.z() = abs(normal.z());
     return normal;
   }
+};
+
+/// Shadow rays are weighted by the power heuristic, and bounces by the balance heuristic. Of the class of Moer #59.
+struct MixedHeuristics : Shared<> {
+  template <class Measure, class Real>
+  static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
+    return i == 0 ? PowerHeuristic::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
+  }
+};
+template <class Real>
+struct SharedByMixedHeuristics : DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics> {
+  using Right = DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics>;
+  SharedByMixedHeuristics(const Strategies& strategies, const Scene& scene)
+      : Right(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}) {}
 };
 
 /// Directions of little density are taken for errors, and count nothing. On record: dspbr-pt #5.
