@@ -46,9 +46,16 @@ struct Evidence {
     std::uint64_t seen_ = 0;
   };
 
+  /// Of a claim whose channels are the cells of a grid, such as tiles of a picture: the bias of each in units of its margin, row by row.
+  struct Tiles {
+    int columns = 0;  ///< 0 where there are no tiles
+    std::vector<double> biases;
+  };
+
   std::vector<Cells> laws;
   std::vector<Course> means;  ///< one a channel
-  Ladder ladder;              ///< the same channels, for an account of many runs
+  Tiles tiles;
+  Ladder ladder;  ///< the same channels, for an account of many runs
 };
 
 }  // namespace fairlight

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include <fairlight/stats/evidence.h>
 #include <fairlight/validation/relations.h>
 
 namespace fairlight {
@@ -44,27 +45,26 @@ auto paired_tracers(const RenderSettings& one, const RenderSettings& other, cons
   };
 }
 
-/// Parts of a picture: `place(c, u)` is a point of part c, evenly spread over it, with (0,0) the picture's upper left corner.
+/// Parts of a picture, in columns: `place(c, u)` is a point of part c, evenly spread over it, with (0,0) the picture's upper left corner.
 struct WholePicture {
-  static constexpr std::size_t parts = 1;
+  static constexpr std::size_t columns = 1, parts = 1;
   template <class Real>
   static Vec2<Real> place(std::size_t /*c*/, const Vec2<Real>& u) {
     return u;
   }
 };
-template <std::size_t columns>
+template <std::size_t n>
 struct PictureTiles {
-  static constexpr std::size_t parts = columns * columns;
+  static constexpr std::size_t columns = n, parts = n * n;
   template <class Real>
   static Vec2<Real> place(std::size_t c, const Vec2<Real>& u) {
-    const auto n = static_cast<Lane<Real>>(columns);
-    return {(Real(static_cast<Lane<Real>>(c % columns)) + u.x()) / Real(n),
-            (Real(static_cast<Lane<Real>>(c / columns)) + u.y()) / Real(n)};
+    const auto left = static_cast<Lane<Real>>(c % n), top = static_cast<Lane<Real>>(c / n);
+    return Vec2<Real>(Real(left) + u.x(), Real(top) + u.y()) / Real(static_cast<Lane<Real>>(n));
   }
 };
 /// The outermost 8 pixels of 256: four strips, each from one corner up to the next one's.
 struct PictureBorder {
-  static constexpr std::size_t parts = 1;
+  static constexpr std::size_t columns = 1, parts = 1;
   template <class Real>
   static Vec2<Real> place(std::size_t /*c*/, const Vec2<Real>& u) {
     const Real width(1.0f / 32), far = Real(1) - width;
@@ -105,6 +105,16 @@ struct PartMeans {
   std::vector<double> means;
 };
 
+/// The biases that the tests of a trial have seen, of differences, in units of their margins.
+inline void leave_tiles(const Trial& trial, const std::vector<double>& means, std::size_t columns) {
+  Evidence::Tiles tiles{static_cast<int>(columns), {}};
+  for (std::size_t c = 0; c < means.size(); ++c) {
+    const auto& steps = trial.evidence->means[c].steps();
+    tiles.biases.push_back(steps.empty() ? 0 : steps.back().mean / (trial.margin * means[c]));
+  }
+  trial.evidence->tiles = tiles;
+}
+
 /// The mean of the difference over each part of the picture; in packets alone, as so many paths take minutes in double.
 template <class Parts, template <class> class One = ChosenDirect>
 Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double margin_factor) {
@@ -122,7 +132,12 @@ Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double marg
           .statement = parts.where + " of " + paths.scene + " both strategies have one mean, along the same paths",
           .source = "the same integral",
           .margin_factor = margin_factor,
-          .check = [=](const Trial& trial) { return check_mean<Packet>(trial, references, draw); },
+          .check =
+              [=](const Trial& trial) {
+                const Finding finding = check_mean<Packet>(trial, references, draw);
+                if (trial.evidence != nullptr) leave_tiles(trial, parts.means, Parts::columns);
+                return finding;
+              },
           .real = real_name<Packet>()};
 }
 
