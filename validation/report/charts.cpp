@@ -181,7 +181,7 @@ Canvas tile_map_chart(const std::string& title, const Evidence::Tiles& tiles) {
   const int down = static_cast<int>(tiles.biases.size()) / across;
   Canvas canvas(std::max(760, across * size + 40), down * size + 100);
   canvas.text(20, 14, title);
-  canvas.text(20, 40, "bias of each tile; red: too bright, blue: too dark, deep at twice the margin", grey);
+  canvas.text(20, 40, "red: too bright, blue: too dark; deep at twice the margin", grey);
   for (std::size_t i = 0; i < tiles.biases.size(); ++i) {
     const int x = 20 + static_cast<int>(i) % across * size;
     const int y = 80 + static_cast<int>(i) / across * size;
