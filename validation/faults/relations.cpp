@@ -39,10 +39,10 @@ std::vector<Fault> relation_faults() {
            "the class of an index that is asked whether it is true",
            {mean_claim(reversed_lights<ZeroIsNone>())}},
           {"normals-upwards", "axis", "the class of ByroRedux #3922", {mean_claim<Packet>(turned_box<Upwards>())}},
-          {"outliers-by-the-unit",
+          {"samples-clamped-by-the-unit",
            "outliers",
-           "the class of three-gpu-pathtracer #825",
-           {same_paths<double, faults::WithoutOutliers>(brighter("cornell-original"))}}};
+           "the class of Smerity/montelight-cpp",
+           {same_paths<double, faults::Clamped>(brighter("cornell-simple"))}}};
 }
 
 }  // namespace fairlight
