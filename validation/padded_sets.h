@@ -2,6 +2,7 @@
 
 #include <fairlight/estimators/padded_sobol.h>
 #include <fairlight/estimators/padded_strata.h>
+#include <fairlight/render/path_tracer.h>
 #include <fairlight/validation/experiment.h>
 
 namespace fairlight {
@@ -52,6 +53,17 @@ struct PathNumbers {
   const Numbers& numbers;
   Word<Real> pixel, sample;
 };
+
+/// The radiance of a path that is followed from vertex to vertex by its numbers; what has been drawn before is that of vertex 0.
+template <class Real, class Tracer, class Numbers>
+Rgb<Real> followed(const Tracer& tracer, const auto& scene, Path<Real> path, const Numbers& numbers) {
+  Mask<Real> alive(true);
+  for (std::uint32_t vertex = 1; any(alive); ++vertex) {
+    auto source = numbers.at(vertex);
+    alive = tracer.advance(scene, path, source, alive);
+  }
+  return path.radiance;
+}
 
 /// The mean of an estimator that walks along a path, `draw(path)`. Draws are the means of whole sets of n points, a set in each
 /// lane, 1024 sets of a pixel.

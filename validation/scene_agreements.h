@@ -142,14 +142,6 @@ Claim sets_agree(const std::string& name, std::vector<std::string> subjects, con
                 const TracedScene<Real> scene(view.scene);
                 const auto tracer = chosen_tracer<Real>(Strategies(settings, view.scene), view.scene);
                 const IndependentNumbers independent(StreamKey(trial.seed, trial.claim + " independent"));
-                const auto follow = [&](Path<Real> path, const auto& numbers) {
-                  Mask<Real> alive(true);
-                  for (std::uint32_t vertex = 1; any(alive); ++vertex) {
-                    auto source = numbers.at(vertex);
-                    alive = tracer.advance(scene, path, source, alive);
-                  }
-                  return path.radiance;
-                };
                 const Reference reference{0, -comparison.largest, comparison.largest, comparison.tail_slack,
                                           comparison.mean};
                 return check_sets<Real, Numbers>(trial, {reference}, n, [&](const auto& numbers) {
@@ -157,7 +149,8 @@ Claim sets_agree(const std::string& name, std::vector<std::string> subjects, con
                   const Vec2<Real> place = next_pair<Real>(camera);
                   const Path<Real> path{view.camera.template ray<Real>(place.x(), place.y(), 1, 1, camera)};
                   const PathNumbers<Real, IndependentNumbers> others{independent, numbers.pixel, numbers.sample};
-                  const Rgb<Real> difference = follow(path, numbers) - follow(path, others);
+                  const Rgb<Real> difference =
+                      followed<Real>(tracer, scene, path, numbers) - followed<Real>(tracer, scene, path, others);
                   return Real((difference[0] + difference[1] + difference[2]) / Real(3));
                 });
               },

@@ -45,6 +45,18 @@ TEST(Artifacts, OfAMeanAreTheCourseOfItsTest) {
             std::string::npos);
 }
 
+TEST(Artifacts, OfTilesAreAMapOfTheirBiases) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run("cornell-original.paired.mis.quarters.packet");
+  ASSERT_EQ(outcome.evidence.tiles.columns, 2);
+  ASSERT_EQ(outcome.evidence.tiles.biases.size(), 4u);
+  for (const double bias : outcome.evidence.tiles.biases) EXPECT_LT(std::abs(bias), 1);
+  const auto pictures = write_artifacts(folder.path().string(), outcome, seen);
+  EXPECT_EQ(pictures.front(), folder / "cornell-original.paired.mis.quarters.packet/tiles.png");
+  EXPECT_TRUE(
+      read_file(folder / "cornell-original.paired.mis.quarters.packet/tiles.exr").starts_with("\x76\x2f\x31\x01"));
+}
+
 TEST(Artifacts, AreRefusedAFolderThatCannotHoldThem) {
   const TemporaryFolder folder;
   write_file(folder / "file", "");

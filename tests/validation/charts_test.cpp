@@ -72,6 +72,17 @@ TEST(Charts, AreDrawnForLawsOfEveryShape) {
             0);
 }
 
+// 2 x 2 tiles of 320 pixels each.
+TEST(TileMap, IsRedWhereATileIsTooBrightAndBlueWhereTooDark) {
+  const Canvas map = tile_map_chart("a", {2, {2, -1, 0, -5}});
+  const Colour bright = map.at(180, 240), dark = map.at(500, 240), right = map.at(180, 560),
+               darkest = map.at(500, 560);
+  EXPECT_GT(bright[0], bright[2]);
+  EXPECT_GT(dark[2], dark[0]);
+  EXPECT_EQ(right, (Colour{255, 255, 255}));
+  EXPECT_LT(darkest[0], dark[0]);
+}
+
 TEST(WealthChart, ShowsTheProcessThatRefutes) {
   BettingTest test({.mean = 0.5, .margin = 0.01, .lower = 0, .upper = 1}, 1e-6, 0.01);
   Evidence::Course course(test);

@@ -18,6 +18,8 @@ void add_allocation_claims(std::vector<Claim>& claims);
 void add_second_order_claims(std::vector<Claim>& claims);
 void add_scene_claims(std::vector<Claim>& claims);
 void add_built_in_scene_claims(std::vector<Claim>& claims);
+void add_relation_claims(std::vector<Claim>& claims);
+void add_paired_path_claims(std::vector<Claim>& claims);
 
 /// All of them, each with the name of its file, for packets as wide as this is compiled for.
 inline void add_claims(std::vector<Claim>& claims) {
@@ -35,7 +37,9 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"allocation.cpp", add_allocation_claims},
                              {"second_order.cpp", add_second_order_claims},
                              {"scenes.cpp", add_scene_claims},
-                             {"built_in_scenes.cpp", add_built_in_scene_claims}}) {
+                             {"built_in_scenes.cpp", add_built_in_scene_claims},
+                             {"relations.cpp", add_relation_claims},
+                             {"paired_paths.cpp", add_paired_path_claims}}) {
     const std::size_t before = claims.size();
     topic.add(claims);
     for (std::size_t i = before; i < claims.size(); ++i) claims[i].file = topic.file;

@@ -58,9 +58,9 @@ Fault steep_cosine() {
 const std::vector<Fault>& fault_catalogue() {
   static const std::vector<Fault> faults = [] {
     std::vector<Fault> all{theta_uniform(), unpaid_roulette(), unweighted_light(), steep_cosine()};
-    for (const auto more :
-         {direction_faults, microfacet_faults, material_faults, light_faults, combinator_faults, random_faults,
-          camera_faults, allocation_faults, path_tracer_faults, direct_light_faults, second_order_faults}) {
+    for (const auto more : {direction_faults, microfacet_faults, material_faults, light_faults, combinator_faults,
+                            random_faults, camera_faults, allocation_faults, path_tracer_faults,
+                            direct_light_faults, relation_faults, second_order_faults}) {
       for (const Fault& fault : more()) all.push_back(fault);
     }
     return all;

@@ -31,6 +31,7 @@ std::vector<Fault> camera_faults();
 std::vector<Fault> allocation_faults();
 std::vector<Fault> path_tracer_faults();
 std::vector<Fault> direct_light_faults();
+std::vector<Fault> relation_faults();
 std::vector<Fault> second_order_faults();
 
 }  // namespace fairlight

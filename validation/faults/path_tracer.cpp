@@ -17,9 +17,8 @@ template <class Wrong>
 std::vector<Claim> by_bounces() {
   return {mean_claim(furnace_radiance<Wrong>("furnace.bounce", {}))};
 }
-template <int k>
 std::vector<Claim> in_the_small() {
-  using Wrong = faults::TracerIn<Tracer, faults::NearHitsIgnored<k>::template In>;
+  using Wrong = faults::TracerIn<Tracer, faults::NearHitsIgnored<3>::In>;
   return {mean_claim(furnace_radiance<Wrong>("furnace.tiny.bounce", {}, 5, Furnace(1e-3)))};
 }
 
@@ -43,26 +42,19 @@ Fault one_bounce_more() {
 }  // namespace
 
 std::vector<Fault> path_tracer_faults() {
-  return {
-      {"depth-called-endless", "truncation", "rpt #5", by_bounces<faults::Truncated<Tracer, 8>>()},
-      one_bounce_more(),
-      {"samples-clamped", "Montelight", "Smerity/montelight-cpp", by_bounces<faults::Clamped<Tracer>>()},
-      {"outliers-left-out", "outliers", "the class of three-gpu-pathtracer #825",
-       by_bounces<faults::WithoutOutliers<Tracer>>()},
-      {"grazing-clipped", "energy", "dspbr-pt #5", by_bounces<TracerBy<faults::GrazingClipped>>()},
-      {"near-hits-ignored", "epsilon", "SORT #29", in_the_small<3>()},
-      {.name = "near-hits-ignored-by-a-micron",
-       .kind = "epsilon",
-       .source = "the class of SORT #29",
-       .claims = in_the_small<6>(),
-       .survives = "in a sphere of 7 mm a micron loses (1e-6 / 14e-3)^2 = 5e-9 of the light at each bounce, and in "
-                   "larger ones less: no claim has such a margin"},
-      shadowed_by_itself(),
-      {"uniform-called-cosine",
-       "two wrongs",
-       "raytracing.github.io #933",
-       {law_moments_claim(cosine_law<faults::UniformCalledCosine>())},
-       by_bounces<TracerBy<faults::UniformCalledCosine>>()}};
+  return {{"depth-called-endless", "truncation", "rpt #5", by_bounces<faults::Truncated<Tracer, 8>>()},
+          one_bounce_more(),
+          {"samples-clamped", "Montelight", "Smerity/montelight-cpp", by_bounces<faults::Clamped<Tracer>>()},
+          {"outliers-left-out", "outliers", "the class of three-gpu-pathtracer #825",
+           by_bounces<faults::WithoutOutliers<Tracer>>()},
+          {"grazing-clipped", "energy", "dspbr-pt #5", by_bounces<TracerBy<faults::GrazingClipped>>()},
+          {"near-hits-ignored", "epsilon", "SORT #29", in_the_small()},
+          shadowed_by_itself(),
+          {"uniform-called-cosine",
+           "two wrongs",
+           "raytracing.github.io #933",
+           {law_moments_claim(cosine_law<faults::UniformCalledCosine>())},
+           by_bounces<TracerBy<faults::UniformCalledCosine>>()}};
 }
 
 }  // namespace fairlight

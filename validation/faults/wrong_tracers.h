@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <fairlight/render/path_tracer.h>
+#include <fairlight/render/strategies.h>
 
 /// Wrong path tracers, and scenes that answer their rays wrongly; each a bug that somebody shipped, or of its class.
 namespace fairlight::faults {
@@ -88,6 +88,63 @@ struct ShadowedByItself : SceneAsIs<Scene> {
   Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
     return this->scene.visible({ray.origin, ray.direction, Real(-1)}, distance, target, asked);
   }
+};
+
+/// Shadow rays start a millimetre along, not to meet the surface that they leave: a length for scenes of some size. On record:
+/// GLSL-PathTracer #35.
+template <class Scene>
+struct ShadowsFromAMillimetre : SceneAsIs<Scene> {
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    const Real start = rounded<Real>(1e-3);
+    return this->scene.visible({ray.origin + start * ray.direction, ray.direction, Real(-1)}, distance - start,
+                               target, asked);
+  }
+};
+
+/// They start a thousandth of their distance from the world's origin along, wherever that is. On record: mitsuba3 #1962.
+template <class Scene>
+struct ShadowsByTheOrigin : SceneAsIs<Scene> {
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    const Real start = rounded<Real>(1e-3) * ray.origin.norm();
+    return this->scene.visible({ray.origin + start * ray.direction, ray.direction, ray.leaving}, distance - start,
+                               target, asked);
+  }
+};
+
+/// Surface 0 is taken for none. Of the class of an index that is asked whether it is true.
+template <class Scene>
+struct SurfaceZeroIsNone : SceneAsIs<Scene> {
+  template <class Real>
+  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
+    return target != Real(0) && this->scene.visible(ray, distance, target, asked);
+  }
+};
+
+/// Of a normal two numbers are kept, and the third is taken for the positive root, as in a map of normals. Of the class of ByroRedux #3922.
+template <class Scene>
+struct NormalsUpwards : SceneAsIs<Scene> {
+  auto normal_at(const auto& surface, const auto& position) const {
+    using std::abs;
+    auto normal = this->scene.normal_at(surface, position);
+    normal.z() = abs(normal.z());
+    return normal;
+  }
+};
+
+/// Shadow rays are weighted by the power heuristic, and bounces by the balance heuristic. Of the class of Moer #59.
+struct MixedHeuristics : Shared<> {
+  template <class Measure, class Real>
+  static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
+    return i == 0 ? PowerHeuristic::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
+  }
+};
+template <class Real>
+struct SharedByMixedHeuristics : DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics> {
+  using Right = DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics>;
+  SharedByMixedHeuristics(const Strategies& strategies, const Scene& scene)
+      : Right(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}) {}
 };
 
 /// Directions of little density are taken for errors, and count nothing. On record: dspbr-pt #5.

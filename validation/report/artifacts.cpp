@@ -45,6 +45,11 @@ void write_cells(const std::string& stem, const Evidence::Cells& cells) {
   write_exr(stem + ".exr", cells.columns, cells.rows, planes);
 }
 
+void write_tiles(const std::string& path, const Evidence::Tiles& tiles) {
+  const Plane plane{"bias", {tiles.biases.begin(), tiles.biases.end()}};
+  write_exr(path, tiles.columns, static_cast<int>(tiles.biases.size()) / tiles.columns, {plane});
+}
+
 std::string courses_csv(const std::vector<Evidence::Course>& courses) {
   std::string csv = "channel,draws,mean,log_too_bright,log_too_dark,log_not_brighter,log_not_darker\n";
   for (std::size_t c = 0; c < courses.size(); ++c) {
@@ -102,6 +107,10 @@ std::vector<std::string> write_artifacts(const std::string& folder, const Outcom
     write_cells(place + "/" + numbered("cells", i, laws.size(), ""), laws[i]);
     draw(numbered("p_map", i, laws.size(), ".png"), p_map_chart(title, laws[i]));
     draw(numbered("histogram", i, laws.size(), ".png"), histogram_chart(title, laws[i]));
+  }
+  if (const auto& tiles = outcome.evidence.tiles; tiles.columns > 1) {
+    write_tiles(place + "/tiles.exr", tiles);
+    draw("tiles.png", tile_map_chart(title, tiles));
   }
   if (!means.empty()) write_whole(place + "/wealth.csv", courses_csv(means));
   for (std::size_t c : worst_channels(means)) {

@@ -82,12 +82,16 @@ void draw_differences(Canvas& canvas, const Axes::Place& place, const std::vecto
   }
 }
 
-// White for p = 1, deep red or blue for p = 1e-8 and less.
-Colour shade(const CellResidue& residue) {
-  const double depth = std::min(1.0, -std::log10(std::max(residue.p, 1e-300)) / 8);
+// White for a depth of 0, deep red or blue for 1.
+Colour shade(double depth, bool more) {
   const auto fade = [depth](int to) { return static_cast<std::uint8_t>(std::lround(255 + depth * (to - 255))); };
-  const Colour& end = residue.deviations > 0 ? red : blue;
+  const Colour& end = more ? red : blue;
   return {fade(end[0]), fade(end[1]), fade(end[2])};
+}
+
+// Deep for p = 1e-8 and less.
+Colour shade(const CellResidue& residue) {
+  return shade(std::min(1.0, -std::log10(std::max(residue.p, 1e-300)) / 8), residue.deviations > 0);
 }
 
 struct Process {
@@ -168,6 +172,22 @@ Canvas p_map_chart(const std::string& title, const Evidence::Cells& cells) {
     const int y = 120 + static_cast<int>(i) / across * size;
     canvas.rectangle(x, y, x + size, y + size, {225, 225, 225});
     canvas.rectangle(x, y, x + std::max(1, size - 1), y + std::max(1, size - 1), shade(cell_residue(cells, i)));
+  }
+  return canvas;
+}
+
+Canvas tile_map_chart(const std::string& title, const Evidence::Tiles& tiles) {
+  const int across = tiles.columns, size = std::max(1, 640 / across);
+  const int down = static_cast<int>(tiles.biases.size()) / across;
+  Canvas canvas(std::max(760, across * size + 40), down * size + 100);
+  canvas.text(20, 14, title);
+  canvas.text(20, 40, "red: too bright, blue: too dark; deep at twice the margin", grey);
+  for (std::size_t i = 0; i < tiles.biases.size(); ++i) {
+    const int x = 20 + static_cast<int>(i) % across * size;
+    const int y = 80 + static_cast<int>(i) / across * size;
+    const double depth = std::min(1.0, std::abs(tiles.biases[i]) / 2);
+    canvas.rectangle(x, y, x + size, y + size, {225, 225, 225});
+    canvas.rectangle(x, y, x + std::max(1, size - 1), y + std::max(1, size - 1), shade(depth, tiles.biases[i] > 0));
   }
   return canvas;
 }

@@ -22,6 +22,9 @@ Canvas histogram_chart(const std::string& title, const Evidence::Cells& cells);
 /// The p-values of the cells, in their places: red where there are too many draws, blue where there are too few, deep for p below 1e-8.
 Canvas p_map_chart(const std::string& title, const Evidence::Cells& cells);
 
+/// The biases of tiles, in their places: red where they are too bright, blue where they are too dark, deep at twice the margin.
+Canvas tile_map_chart(const std::string& title, const Evidence::Tiles& tiles);
+
 /// What the four processes have made of 1, against draws, with the levels that decide.
 Canvas wealth_chart(const std::string& title, const Evidence::Course& course);
 

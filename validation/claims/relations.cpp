@@ -1,0 +1,46 @@
+#include <fairlight/validation/analytic/scene_relations.h>
+#include <fairlight/validation/claims/claims.h>
+
+namespace fairlight {
+
+namespace {
+
+void add_same_paths(std::vector<Claim>& claims, const RelatedViews& views) {
+  claims.push_back(same_paths<double>(views));
+  claims.push_back(same_paths<Packet>(views));
+}
+
+template <class Numbers>
+void add_twice_the_samples(std::vector<Claim>& claims, const std::string& kind, const std::string& subject) {
+  claims.push_back(twice_the_samples<double, Numbers>(kind, subject, two_lights_samples()));
+  claims.push_back(twice_the_samples<Packet, Numbers>(kind, subject, two_lights_samples()));
+}
+
+}  // namespace
+
+void add_relation_claims(std::vector<Claim>& claims) {
+  // Of all kinds of surfaces and of rectangles.
+  for (const std::string scene : {"cornell-materials", "cornell-original"}) {
+    add_same_paths(claims, smaller(scene));
+    add_same_paths(claims, larger(scene));
+  }
+  // Of diffuse surfaces: gloss may reflect so little that its digits are lost at the end of the range of floats.
+  for (const std::string scene : {"cornell-simple", "cornell-original"}) {
+    add_same_paths(claims, brighter(scene));
+    add_same_paths(claims, darker(scene));
+  }
+  claims.push_back(mean_claim<double>(far_away(0)));
+  claims.push_back(mean_claim<Packet>(far_away(rounding_far_away)));
+  add_independent_mean(claims, turned_floor());
+  add_independent_mean(claims, upended_floor());
+  add_independent_mean(claims, reversed_lights());
+  claims.push_back(mean_claim<Packet>(turned_box()));  // in packets alone, as in double it takes seconds
+  for (const std::string which : {"all", "one"}) {
+    add_independent_mean(claims, split_lamp(which));
+    claims.push_back(mean_claim<Packet>(split_box_light(which)));
+  }
+  add_twice_the_samples<PaddedSobol>(claims, "sobol", "PaddedSobol");
+  add_twice_the_samples<PaddedStrata>(claims, "stratified", "PaddedStrata");
+}
+
+}  // namespace fairlight
