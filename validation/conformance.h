@@ -16,7 +16,7 @@ namespace fairlight {
 struct Conformance {
   Manifest::Terms terms;
   int threads = 1;
-  std::string instructions = "";  ///< whose packets: see registry(); the widest that run here if empty
+  std::string instructions{};  ///< whose packets: see registry(); the widest that run here if empty
   double seconds =
       std::numeric_limits<double>::infinity();  ///< when they are over, what has no verdict is undecided
   bool evidence = false;                        ///< whether outcomes keep what the tests saw
