@@ -100,10 +100,16 @@ class BettingTest {
   Interval interval() const;
 
  private:
+  // What the mean of a block was thought to be like before it was drawn: its variance, and the size of its third central moment.
+  struct Outlook {
+    double variance, skew;
+  };
+
   struct Block {
     double mean;    // of X
     double capped;  // of min(X, upper)
-    double bet;     // l, before the cap that keeps a process positive
+    Outlook outlook;
+    double bet;  // l, before the cap that keeps a process positive
   };
 
   struct Gains {  // of two processes, one that bets on bright draws and one that bets on dark ones
@@ -112,7 +118,7 @@ class BettingTest {
 
   Block summarise(std::span<const double> draws);
   void check_range(std::span<const double> draws) const;
-  double bet(std::uint64_t block) const;
+  Outlook outlook(std::uint64_t block) const;
   double spread() const;
   Gains refute(const Block& block, double bet) const;
   Gains certify(const Block& block, double bet, double margin) const;

@@ -63,6 +63,16 @@ TEST(BettingTest, FindsDrawsThatAreTooBrightAndTooDark) {
   EXPECT_LT(dark.interval().hi, 0.5);
 }
 
+// One draw in 83 is 0, the others are 1: to bet margin / variance, 0.82, would lose more by the one than it gains by the others.
+TEST(BettingTest, CertifiesDespiteRareLosses) {
+  const double mean = 82.0 / 83;
+  BettingTest test({mean, 0.01 * mean, 0, 1.02}, alpha, beta);
+  int draws = 0;
+  for (; test.verdict() == Verdict::undecided && draws < test.patience(); ++draws)
+    test.add(std::vector{draws % 83 == 41 ? 0.0 : 1.0});
+  EXPECT_EQ(test.verdict(), Verdict::certified) << draws;
+}
+
 TEST(BettingTest, IsUndecidedBeforeThereIsEvidence) {
   BettingTest test(coin(0.01), alpha, beta);
   EXPECT_EQ(feed(test, 5, 10, 10), Verdict::undecided);

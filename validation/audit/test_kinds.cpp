@@ -242,6 +242,12 @@ CostLaw bernoulli(const std::string& name, double p, double margin, double limit
   return {name, (1 - p) / p, margin, 1.2 / p, 0, limit, [p](double u) { return u < p ? 1 / p : 0.0; }};
 }
 
+// Nothing with probability p, and else a little more than the mean.
+CostLaw rare_loss(double p, double margin, double limit) {
+  return {
+      "rare_loss", p / (1 - p), margin, 1.2 / (1 - p), 0, limit, [p](double u) { return u < p ? 0 : 1 / (1 - p); }};
+}
+
 }  // namespace
 
 const std::vector<TestKind>& test_kinds() {
@@ -254,6 +260,7 @@ const std::vector<CostLaw>& cost_laws() {
   static const std::vector<CostLaw> laws{
       bernoulli("bernoulli_0.5", 0.5, 0.01, 18),
       bernoulli("bernoulli_0.01", 0.01, 0.02, 20),
+      rare_loss(0.09, 0.1, 25),
       {"exponential", 1, 0.01, 25, 1e-9, 18, exponential},
       {"pareto_2.5", 0.8, 0.01, 450, 3e-5, 0, [](double u) { return 0.6 * std::pow(1 - u, -0.4); }},
   };
