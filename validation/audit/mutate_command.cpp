@@ -102,10 +102,7 @@ class Results {
 };
 
 void run_mutants(const std::vector<Mutant>& mutants, const MutateOptions& options, Results& results) {
-  const std::string pattern = (fs::temp_directory_path() / "fairlight-mutate-XXXXXX").string();
-  std::string scratch = pattern;
-  if (mkdtemp(scratch.data()) == nullptr) throw std::runtime_error("cannot make \"" + pattern + "\" (is it full?)");
-  MutationRun run(this_build(), scratch);
+  MutationRun run(this_build());
   const Progress progress = progress_bar("audit mutate");
   std::atomic<int> done = 0;
   const auto n = static_cast<int>(mutants.size());
@@ -115,7 +112,6 @@ void run_mutants(const std::vector<Mutant>& mutants, const MutateOptions& option
     const int so_far = ++done;
     if (progress) progress(static_cast<double>(so_far) / n);
   });
-  fs::remove_all(scratch);
 }
 
 std::size_t count(const std::vector<Mutant>& mutants, const Results& results, Fate::Kind kind) {

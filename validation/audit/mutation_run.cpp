@@ -78,29 +78,19 @@ Fate::Kind fate_named(const std::string& name) {
   return static_cast<Fate::Kind>(found - std::begin(fate_names));
 }
 
-// A folder for one mutant, gone with it: include/ is searched first.
-struct MutationRun::Workplace {
-  explicit Workplace(const std::string& scratch) {
-    std::string pattern = scratch + "/mutant-XXXXXX";
-    if (mkdtemp(pattern.data()) == nullptr)
-      throw std::runtime_error("cannot make a folder in \"" + scratch + "\" (it must exist, and be writable)");
-    folder = pattern;
-  }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-  ~Workplace() {
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
-  }
-  std::string object() const { return folder + "/claims.o"; }
-  std::string program() const { return folder + "/fairlight"; }
+MutationRun::Workplace::Workplace(const std::string& parent) : folder(parent + "/fairlight-mutate-XXXXXX") {
+  if (mkdtemp(folder.data()) == nullptr)
+    throw std::runtime_error("cannot make a folder in \"" + parent + "\" (is it full? TMPDIR names another)");
+}
 
-  std::string folder;
-};
+MutationRun::Workplace::~Workplace() {
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);
+}
 
-MutationRun::MutationRun(const BuildPlaces& places, std::string scratch)
+MutationRun::MutationRun(const BuildPlaces& places)
     : places_(places),
-      scratch_(std::move(scratch)),
+      scratch_(fs::temp_directory_path().string()),
       link_(link_command(places)),
       sources_(places),
       compile_(compile_commands(places)) {
@@ -126,7 +116,7 @@ std::vector<std::string> MutationRun::concerned(const std::string& source) {
 
 Fate MutationRun::judge(const Mutant& mutant, std::size_t most_files) {
   const auto start = std::chrono::steady_clock::now();
-  const Workplace place(scratch_);
+  const Workplace place(scratch_.folder);
   Fate fate = judge_in(place, mutant, most_files);
   fate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return fate;
@@ -160,9 +150,9 @@ bool MutationRun::compile(const Workplace& place, const std::string& claim_file)
 // The object of the right sources is compiled once.
 bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& claim_file) {
   const std::lock_guard lock(mutex_);
-  const std::string object = scratch_ + "/" + claim_file + ".o";
+  const std::string object = scratch_.folder + "/" + claim_file + ".o";
   if (!fs::exists(object)) {
-    const Workplace unchanged(scratch_);
+    const Workplace unchanged(scratch_.folder);
     if (!compile(unchanged, claim_file))
       throw std::runtime_error("\"" + claim_file + "\" does not compile as it is (build the program first)");
     fs::rename(unchanged.object(), object);

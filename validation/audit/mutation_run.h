@@ -29,8 +29,9 @@ Fate::Kind fate_named(const std::string& name);  ///< throws std::invalid_argume
 /// first, the claims' file is compiled against it without the last optimisations, and the program is linked as its build links it.
 class MutationRun {
  public:
-  /// Works in `scratch`, a folder that exists. Throws std::runtime_error where the build is gone or the sources are newer than the program.
-  MutationRun(const BuildPlaces& places, std::string scratch);
+  /// Works in a folder of its own, gone with it, where temporary ones are. Throws std::runtime_error where the build is gone or the sources are
+  /// newer than the program.
+  explicit MutationRun(const BuildPlaces& places);
 
   /// The files of claims/ that rest on a source, those with the most claims about its components first.
   std::vector<std::string> concerned(const std::string& source);
@@ -39,7 +40,17 @@ class MutationRun {
   Fate judge(const Mutant& mutant, std::size_t most_files);
 
  private:
-  struct Workplace;
+  // A folder that is gone with it.
+  struct Workplace {
+    explicit Workplace(const std::string& parent);
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+    ~Workplace();
+    std::string object() const { return folder + "/claims.o"; }
+    std::string program() const { return folder + "/fairlight"; }
+
+    std::string folder;
+  };
 
   Fate judge_in(const Workplace& place, const Mutant& mutant, std::size_t most_files);
   bool compile(const Workplace& place, const std::string& claim_file) const;
@@ -47,7 +58,8 @@ class MutationRun {
   std::string killer(const Workplace& place, const std::string& claim_file) const;
 
   BuildPlaces places_;
-  std::string scratch_, link_;
+  Workplace scratch_;  // of the objects of the right sources, and of the places of mutants
+  std::string link_;
   Sources sources_;
   std::map<std::string, std::string> compile_;  // by the file of claims/
   std::mutex mutex_;
