@@ -10,7 +10,12 @@ TEST(Text, IsFormattedAsByPrintf) {
   EXPECT_EQ(formatted("%s", ""), "");
 }
 
-TEST(Text, IsAsLongAsItTakes) { EXPECT_EQ(formatted("%1000d", 7), std::string(999, ' ') + "7"); }
+TEST(Text, IsAsLongAsItTakes) {
+  const std::string text = formatted("%1000d", 7);
+  EXPECT_EQ(text.size(), 1000u);
+  EXPECT_EQ(text.find_first_not_of(' '), 999u);
+  EXPECT_EQ(text.back(), '7');
+}
 
 }  // namespace
 }  // namespace fairlight

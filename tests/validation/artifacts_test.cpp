@@ -15,7 +15,7 @@ using testing::read_file;
 using testing::TemporaryFolder;
 using testing::write_file;
 
-const Conformance seen{.terms = {.seed = 3, .margin = 0.05}, .threads = 1, .evidence = true};
+const Conformance seen{.terms = {.seed = 3, .margin = 0.02}, .threads = 1, .evidence = true};
 
 Outcome run(const std::string& claim) { return run_claims(select_claims({claim}), seen).front(); }
 

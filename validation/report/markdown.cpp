@@ -33,7 +33,7 @@ std::string head(const Page& page) {
   out += formatted("| miss rate | %.0e a claim, at its margin |\n", terms.beta);
   out += formatted("| margin | %.0e of the reference, times what a claim says |\n", terms.margin);
   out += formatted("| time | %.1f s on %d threads |\n", page.seconds, page.conformance.threads);
-  out += std::string("| version | ") + version + " |\n\n";
+  out += formatted("| version | %s |\n\n", version);
   return out + "To run it again, draw for draw:\n\n" + code(page.command);
 }
 
