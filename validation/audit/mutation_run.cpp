@@ -46,7 +46,7 @@ std::string link_command(const BuildPlaces& places) {
   const std::string all = run_process({"ninja", "-C", places.build, "-t", "commands", "fairlight"}).out;
   const std::size_t end = all.find_last_not_of('\n') + 1;
   const std::size_t begin = all.rfind('\n', end - 1) + 1;
-  const std::string last = all.substr(begin, end - begin);
+  std::string last = all.substr(begin, end - begin);
   if (last.find(" -o fairlight ") == std::string::npos) {
     throw std::runtime_error("it is not known how \"" + places.build +
                              "\" links the program (build it with ninja)");
