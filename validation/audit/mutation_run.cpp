@@ -26,8 +26,10 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::string quoted(const std::string& path) { return formatted("'%s'", path.c_str()); }
+
 int shell(const std::string& folder, const std::string& command) {
-  return run_process({"sh", "-c", "cd '" + folder + "' && " + command}).status;
+  return run_process({"sh", "-c", formatted("cd '%s' && %s", folder.c_str(), command.c_str())}).status;
 }
 
 // How the build compiles each file of claims/ for every machine, but for the name of the object.
@@ -142,9 +144,9 @@ Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::si
 }
 
 bool MutationRun::compile(const Workplace& place, const std::string& claim_file) const {
-  const std::string options = "-I'" + place.folder + "/include'";
-  return shell(places_.build,
-               with_options(compile_.at(claim_file), options) + " -O1 -w -o '" + place.object() + "'") == 0;
+  const std::string command =
+      with_options(compile_.at(claim_file), formatted("-I%s/include", quoted(place.folder).c_str()));
+  return shell(places_.build, formatted("%s -O1 -w -o '%s'", command.c_str(), place.object().c_str())) == 0;
 }
 
 // The object of the right sources is compiled once.
@@ -162,17 +164,20 @@ bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& c
 
 // The name of a claim that finds it biased, or how the program stopped; nothing where all are certified.
 std::string MutationRun::killer(const Workplace& place, const std::string& claim_file) const {
-  std::string link = std::regex_replace(with_options(link_, "'" + place.object() + "'"),
-                                        std::regex(" -o fairlight "), " -o '" + place.program() + "' ");
+  const std::string link =
+      std::regex_replace(with_options(link_, quoted(place.object())), std::regex(" -o fairlight "),
+                         formatted(" -o '%s' ", place.program().c_str()));
   if (shell(places_.build, link) != 0)
     throw std::runtime_error("the program cannot be linked with a changed \"" + claim_file + "\" (try ninja)");
   std::string claims;
   for (const Claim& claim : registry()) {
-    if (claim.file == claim_file) claims += " '" + claim.name + "'";
+    if (claim.file == claim_file) claims += formatted(" %s", quoted(claim.name).c_str());
   }
   for (const char* seconds : {" --seconds 10", ""}) {
-    const int status = shell(place.folder, "timeout 600 ./fairlight verify" + claims + seconds +
-                                               " --instructions sse2 --threads 1 --json findings.json");
+    const std::string verify =
+        formatted("timeout 600 ./fairlight verify%s%s --instructions sse2 --threads 1 --json findings.json",
+                  claims.c_str(), seconds);
+    const int status = shell(place.folder, verify);
     if (status != 0 && !fs::exists(place.folder + "/findings.json"))
       return "it stopped with the status " + std::to_string(status);
     if (status == 0) return "";
