@@ -32,9 +32,13 @@ TEST(ReplayToken, OfOtherSourcesIsRefusedAndSaysHowToGoOn) {
 
 TEST(ReplayToken, IsRefusedWhereItIsMalformed) {
   const std::string token = replay_token(0xab);
-  for (const std::string& text :
-       {std::string(), std::string("-"), std::string("ab-"), token.substr(0, 20), token + "0",
-        "x" + token.substr(1), "ab" + token.substr(16), std::string("00000000000000ab-0123456g")}) {
+  std::string other = token, shorter = token, longer = token;
+  other.replace(0, 1, "x");
+  shorter.replace(0, 16, "ab");
+  longer.push_back('0');
+  const std::string no_digit = "00000000000000ab-0123456g";
+  for (const std::string& text : {std::string(), std::string("-"), std::string("ab-"), token.substr(0, 20), other,
+                                  shorter, longer, no_digit}) {
     EXPECT_THROW(parse_replay_token(text), std::invalid_argument) << text;
   }
 }
