@@ -32,9 +32,9 @@ TEST(ReplayToken, OfOtherSourcesIsRefusedAndSaysHowToGoOn) {
 
 TEST(ReplayToken, IsRefusedWhereItIsMalformed) {
   const std::string token = replay_token(0xab);
-  std::string other = token, shorter = token, longer = token;
-  other.replace(0, 1, "x");
-  shorter.replace(0, 16, "ab");
+  const std::string shorter = token.substr(14);
+  std::string other = token, longer = token;
+  other[0] = 'x';
   longer.push_back('0');
   const std::string no_digit = "00000000000000ab-0123456g";
   for (const std::string& text : {std::string(), std::string("-"), std::string("ab-"), token.substr(0, 20), other,
