@@ -1,6 +1,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -63,6 +65,13 @@ void WholeFile::check_writable(const std::string& path) { const WholeFile probe(
 void WholeFile::fail(const char* doing) {
   failed_ = true;
   throw std::runtime_error(std::string("cannot ") + doing + " \"" + path_ + "\" (" + std::strerror(errno) + ")");
+}
+
+std::string read_whole(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  if (!stream) throw std::runtime_error("cannot read \"" + path + "\" (" + std::strerror(errno) + ")");
+  return bytes;
 }
 
 void write_whole(const std::string& path, std::span<const char> bytes) {

@@ -40,6 +40,9 @@ class WholeFile {
   bool failed_ = false;
 };
 
+/// All bytes of a file. Throws std::runtime_error where it cannot be read.
+std::string read_whole(const std::string& path);
+
 /// Writes bytes as a WholeFile.
 void write_whole(const std::string& path, std::span<const char> bytes);
 

@@ -8,6 +8,7 @@
 
 #include <fairlight/validation/ledger/ledger.h>
 #include <fairlight/validation/ledger/ledger_text.h>
+#include <fairlight/validation/provenance/hash.h>
 
 namespace fairlight {
 namespace {

@@ -21,6 +21,7 @@ std::vector<std::string> changes(const std::string& line) {
 TEST(Mutants, ChangeOneOperatorEach) {
   EXPECT_THAT(changes("  return a + b * c;"), ElementsAre("return a - b * c;", "return a + b / c;"));
   EXPECT_THAT(changes("x += y;"), ElementsAre("x -= y;"));
+  EXPECT_THAT(changes("x /= y;"), ElementsAre("x *= y;"));
 }
 
 TEST(Mutants, TurnComparisonsRoundAndLogicOver) {
@@ -28,9 +29,10 @@ TEST(Mutants, TurnComparisonsRoundAndLogicOver) {
 }
 
 TEST(Mutants, MakeConstantsTwoPercentLarger) {
-  EXPECT_THAT(changes("Real(2)"), ElementsAre("Real(2.04f)"));
-  EXPECT_THAT(changes("Real(0)"), ElementsAre("Real(0.02f)"));
-  EXPECT_THAT(changes("pi<Real>"), ElementsAre("(Real(1.02f) * pi<Real>)"));
+  EXPECT_THAT(changes("Real(2)"), ElementsAre("Real(2.04)"));
+  EXPECT_THAT(changes("Real(50)"), ElementsAre("Real(51)"));
+  EXPECT_THAT(changes("Real(0)"), ElementsAre("Real(0.02)"));
+  EXPECT_THAT(changes("pi<Real>"), ElementsAre("(Real(1.02) * pi<Real>)"));
 }
 
 TEST(Mutants, TakeAnotherCosine) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/paired_paths.h>
+#include <fairlight/validation/agreements/paired_paths.h>
 
 namespace fairlight {
 namespace {

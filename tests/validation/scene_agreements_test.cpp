@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/scene_agreements.h>
+#include <fairlight/validation/agreements/scene_agreements.h>
 
 namespace fairlight {
 namespace {

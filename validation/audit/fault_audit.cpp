@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <mutex>
 
 #include <fairlight/render/parallel.h>
@@ -52,7 +51,7 @@ std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds
   for (std::size_t i = 0; i < captures.size(); ++i) {
     FaultOutcome& outcome = outcomes[i / per_cell];
     const auto& [finding, elapsed] = captures[i];
-    if (std::isfinite(finding.bias)) outcome.effect += finding.bias / seeds;
+    outcome.effect += finding.bias / seeds;
     if (i % per_cell == 0) outcome.note = finding.note;
     outcome.margin = finding.margin;
     outcome.draws += finding.draws;

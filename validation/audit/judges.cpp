@@ -13,12 +13,6 @@ namespace {
 
 using Draws = std::span<const double>;
 
-double mean_of(Draws draws) {
-  double sum = 0;
-  for (double x : draws) sum += x;
-  return sum / static_cast<double>(draws.size());
-}
-
 // The level of each of n independent tests of which any fails with probability `level` (Sidak 1967).
 double sidak(double level, std::size_t n) { return 1 - std::pow(1 - level, 1 / static_cast<double>(n)); }
 
@@ -44,7 +38,7 @@ bool fails_student(Draws draws, double level) {
 
 bool fails_by_pbrt(const JudgedDraws& draws) {
   double sum = 0;
-  for (Draws channel : draws.channels) sum += mean_of(channel);
+  for (Draws channel : draws.channels) sum += Moments::of(channel).mean();
   return !(std::abs(sum / static_cast<double>(draws.channels.size()) - 1) <= 0.025);
 }
 
@@ -56,7 +50,7 @@ bool fails_by_mitsuba(const JudgedDraws& draws, std::size_t pixels) {
   for (std::size_t c = 0; c < draws.channels.size(); ++c) {
     const double scale = std::sqrt(static_cast<double>(each) / std::max(draws.variances[c], 1e-4));
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-      const double z = std::abs(mean_of(draws.channels[c].subspan(pixel * each, each)) - 1) * scale;
+      const double z = std::abs(Moments::of(draws.channels[c].subspan(pixel * each, each)).mean() - 1) * scale;
       if (std::erfc(z / std::sqrt(2)) > level) ++passed;
     }
   }

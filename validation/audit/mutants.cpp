@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <random>
 #include <regex>
 
@@ -8,40 +9,55 @@
 namespace fairlight {
 namespace {
 
+using Replacement = std::function<std::string(const std::string&)>;
+
 struct Rule {
   std::string kind;
   std::regex pattern;       // of which the first group is replaced
-  std::string replacement;  // or, where it is "2 %", the number made larger
+  Replacement replacement;  // by what
 };
 
-const std::vector<Rule>& rules() {
-  const auto swap = [](const std::string& kind, const std::string& a, const std::string& b,
-                       const std::string& escaped) {
-    return Rule{kind, std::regex(" (" + (escaped.empty() ? a : escaped) + ") "), b};
+Replacement always(const std::string& text) {
+  return [text](const std::string&) { return text; };
+}
+
+// "1" becomes "1.02": no suffix, since a whole number with an f is none.
+std::string larger(const std::string& number) {
+  const double value = std::stod(number);
+  return formatted("%.6g", value == 0 ? 0.02 : 1.02 * value);
+}
+
+std::string escaped(const std::string& symbols) {
+  std::string pattern;
+  for (const char c : symbols) pattern += formatted("[%c]", c);
+  return pattern;
+}
+
+std::vector<Rule> all_rules() {
+  std::vector<Rule> rules;
+  const auto swap = [&](const std::string& kind, const std::string& a, const std::string& b) {
+    rules.push_back({kind, std::regex(formatted(" (%s) ", escaped(a).c_str())), always(b)});
+    rules.push_back({kind, std::regex(formatted(" (%s) ", escaped(b).c_str())), always(a)});
   };
-  static const std::vector<Rule> all{
-      swap("operator", "+", "-", "\\+"),
-      swap("operator", "-", "+", ""),
-      swap("operator", "*", "/", "\\*"),
-      swap("operator", "/", "*", ""),
-      swap("operator", "+=", "-=", "\\+="),
-      swap("operator", "*=", "/=", "\\*="),
-      swap("order", "<", ">", ""),
-      swap("order", ">", "<", ""),
-      swap("order", "<=", ">=", ""),
-      swap("order", ">=", "<=", ""),
-      swap("logic", "&&", "||", ""),
-      swap("logic", "||", "&&", "\\|\\|"),
-      {"constant", std::regex(R"(\b(?:Real|double|rounded<Real>)\((\d+(?:\.\d+)?)\))"), "2 %"},
-      {"constant", std::regex(R"(\b(pi<Real>))"), "(Real(1.02f) * pi<Real>)"},
-      {"cosine", std::regex(R"(\.(z)\(\))"), "x"},
-      {"cosine", std::regex(R"(\b(cos)\()"), "sin"},
-      {"cosine", std::regex(R"(\b(sin)\()"), "cos"},
-      {"sign", std::regex(R"((?:return |\(|= |, )(-)[\w(])"), ""},
-      {"extreme", std::regex(R"(\b(min)\()"), "max"},
-      {"extreme", std::regex(R"(\b(max)\()"), "min"},
+  const auto replace = [&](const std::string& kind, const char* pattern, const Replacement& replacement) {
+    rules.push_back({kind, std::regex(pattern), replacement});
   };
-  return all;
+  swap("operator", "+", "-");
+  swap("operator", "*", "/");
+  swap("operator", "+=", "-=");
+  swap("operator", "*=", "/=");
+  swap("order", "<", ">");
+  swap("order", "<=", ">=");
+  swap("logic", "&&", "||");
+  replace("constant", R"(\b(?:Real|double|rounded<Real>)\((\d+(?:\.\d+)?)\))", larger);
+  replace("constant", R"(\b(pi<Real>))", always("(Real(1.02) * pi<Real>)"));
+  replace("cosine", R"(\.(z)\(\))", always("x"));
+  replace("cosine", R"(\b(cos)\()", always("sin"));
+  replace("cosine", R"(\b(sin)\()", always("cos"));
+  replace("sign", R"((?:return |\(|= |, )(-)[\w(])", always(""));
+  replace("extreme", R"(\b(min)\()", always("max"));
+  replace("extreme", R"(\b(max)\()", always("min"));
+  return rules;
 }
 
 bool is_check(const std::string& line) {
@@ -65,11 +81,6 @@ std::string trimmed(const std::string& line) {
   return first == std::string::npos ? "" : line.substr(first);
 }
 
-std::string larger(const std::string& number) {
-  const double value = std::stod(number);
-  return formatted("%.6gf", value == 0 ? 0.02 : 1.02 * value);
-}
-
 struct Line {
   std::size_t begin;
   int number;
@@ -77,12 +88,14 @@ struct Line {
 };
 
 void add_mutants(std::vector<Mutant>& mutants, const std::string& file, const Line& line) {
-  for (const Rule& rule : rules()) {
+  static const std::vector<Rule> rules = all_rules();
+  for (const Rule& rule : rules) {
     for (std::sregex_iterator match(line.code.begin(), line.code.end(), rule.pattern), end; match != end; ++match) {
       const auto place = static_cast<std::size_t>(match->position(1));
       const auto length = static_cast<std::size_t>(match->length(1));
-      Mutant mutant{file, rule.kind, line.number, place + 1, line.begin + place, length, rule.replacement, {}, {}};
-      if (rule.replacement == "2 %") mutant.replacement = larger((*match)[1]);
+      Mutant mutant{
+          file, rule.kind, line.number, place + 1, line.begin + place, length, rule.replacement((*match)[1]),
+          {},   {}};
       std::string after = line.text;
       after.replace(place, length, mutant.replacement);
       mutant.before = trimmed(line.text);

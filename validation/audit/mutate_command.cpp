@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -54,9 +53,7 @@ std::vector<Mutant> all_mutants(const std::string& root, const std::vector<std::
   }
   std::vector<Mutant> mutants;
   for (const std::string& file : only.empty() ? files : only) {
-    std::ifstream stream(root + "/" + file, std::ios::binary);
-    for (Mutant& m : mutants_of(file, {std::istreambuf_iterator<char>(stream), {}}))
-      mutants.push_back(std::move(m));
+    for (Mutant& m : mutants_of(file, read_whole(root + "/" + file))) mutants.push_back(std::move(m));
   }
   return mutants;
 }
@@ -153,14 +150,13 @@ int mutate(const MutateOptions& options) {
   }
   std::printf("%s (a sample of %zu mutants, seed %s)\n", summary(mutants, results).c_str(), all.size(),
               seed.c_str());
-  const std::string command =
-      formatted("fairlight audit mutate --sample %zu --seed %s", options.sample, seed.c_str());
+  std::string command = "fairlight audit mutate";
+  for (const std::string& source : options.sources) command += formatted(" %s", source.c_str());
+  command += formatted(" --sample %zu --seed %s --files %zu", options.sample, seed.c_str(), options.files);
   if (!options.report.empty()) write_whole(options.report, report(mutants, results, command));
-  const std::size_t killed = count(mutants, results, Fate::Kind::killed);
-  return 20 * count(mutants, results, Fate::Kind::survived) <=
-                 killed + count(mutants, results, Fate::Kind::survived)
-             ? 0
-             : 1;
+  const std::size_t survived = count(mutants, results, Fate::Kind::survived);
+  const bool kept = 20 * survived <= survived + count(mutants, results, Fate::Kind::killed);  // 95 % are killed
+  return kept ? 0 : 1;
 }
 
 }  // namespace

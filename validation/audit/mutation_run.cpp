@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <regex>
 #include <stdexcept>
@@ -21,11 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* fate_names[] = {"killed", "survived", "equivalent", "no program"};
 
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string quoted(const std::string& path) { return formatted("'%s'", path.c_str()); }
 
 int shell(const std::string& folder, const std::string& command) {
@@ -36,7 +30,7 @@ int shell(const std::string& folder, const std::string& command) {
 std::map<std::string, std::string> compile_commands(const BuildPlaces& places) {
   const std::string folder = places.source + "/validation/claims/";
   std::map<std::string, std::string> commands;
-  for (const auto& entry : nlohmann::json::parse(read(places.build + "/compile_commands.json"))) {
+  for (const auto& entry : nlohmann::json::parse(read_whole(places.build + "/compile_commands.json"))) {
     const std::string file = entry["file"], command = entry["command"];
     if (!file.starts_with(folder) || command.find("FAIRLIGHT_ENTRY") != std::string::npos) continue;
     commands[file.substr(folder.size())] = std::regex_replace(command, std::regex(" -o \\S+"), "");
@@ -102,7 +96,7 @@ MutationRun::MutationRun(const BuildPlaces& places)
 
 std::vector<std::string> MutationRun::concerned(const std::string& source) {
   const std::lock_guard lock(mutex_);
-  const std::vector<std::string> names = components_of(read(fs::path(places_.source) / source));
+  const std::vector<std::string> names = components_of(read_whole(places_.source + "/" + source));
   std::map<std::string, int> about;
   for (const Claim& claim : registry()) {
     if (!sources_.files_of(claim.file).contains(source)) continue;
@@ -127,7 +121,7 @@ Fate MutationRun::judge(const Mutant& mutant, std::size_t most_files) {
 Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::size_t most_files) {
   const fs::path header = fs::path(place.folder) / "include/fairlight" / mutant.file;
   fs::create_directories(header.parent_path());
-  write_whole(header.string(), mutated(read(fs::path(places_.source) / mutant.file), mutant));
+  write_whole(header.string(), mutated(read_whole(places_.source + "/" + mutant.file), mutant));
   std::vector<std::string> files = concerned(mutant.file);
   files.resize(std::min(files.size(), most_files));
   std::string run;
@@ -159,7 +153,7 @@ bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& c
       throw std::runtime_error("\"" + claim_file + "\" does not compile as it is (build the program first)");
     fs::rename(unchanged.object(), object);
   }
-  return read(object) == read(place.object());
+  return read_whole(object) == read_whole(place.object());
 }
 
 // The name of a claim that finds it biased, or how the program stopped; nothing where all are certified.
@@ -181,7 +175,7 @@ std::string MutationRun::killer(const Workplace& place, const std::string& claim
     if (status != 0 && !fs::exists(place.folder + "/findings.json"))
       return "it stopped with the status " + std::to_string(status);
     if (status == 0) return "";
-    const auto findings = nlohmann::json::parse(read(place.folder + "/findings.json"));
+    const auto findings = nlohmann::json::parse(read_whole(place.folder + "/findings.json"));
     for (const auto& finding : findings["claims"]) {
       if (finding["verdict"] == "biased") return finding["name"];
     }

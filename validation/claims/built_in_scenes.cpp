@@ -1,5 +1,5 @@
+#include <fairlight/validation/agreements/scene_agreements.h>
 #include <fairlight/validation/claims/claims.h>
-#include <fairlight/validation/scene_agreements.h>
 
 namespace fairlight {
 namespace {

@@ -1,4 +1,4 @@
-#include <fairlight/validation/analytic/scene_relations.h>
+#include <fairlight/validation/agreements/scene_relations.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {

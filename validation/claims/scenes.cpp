@@ -1,4 +1,4 @@
-#include <fairlight/validation/agreements.h>
+#include <fairlight/validation/agreements/combinator_agreements.h>
 #include <fairlight/validation/analytic/furnace.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
 #include <fairlight/validation/claims/claims.h>

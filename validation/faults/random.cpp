@@ -1,8 +1,8 @@
+#include <fairlight/validation/agreements/scene_agreements.h>
 #include <fairlight/validation/analytic/point_sets.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_point_sets.h>
 #include <fairlight/validation/laws.h>
-#include <fairlight/validation/scene_agreements.h>
 
 namespace fairlight {
 namespace {

@@ -1,4 +1,4 @@
-#include <fairlight/validation/analytic/paired_boxes.h>
+#include <fairlight/validation/agreements/paired_boxes.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_tracers.h>
 

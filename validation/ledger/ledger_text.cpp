@@ -4,6 +4,7 @@
 
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/ledger/ledger_text.h>
+#include <fairlight/validation/provenance/hash.h>
 
 namespace fairlight {
 namespace {
@@ -85,11 +86,6 @@ Account account_of(Words& words, bool run) {
 }
 
 }  // namespace
-
-std::uint64_t hash_of(std::string_view bytes, std::uint64_t hash) {
-  for (char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
-  return hash;
-}
 
 std::string line_of(const LedgerEntry& entry) {
   const bool run = entry.seeds.size() == 1;

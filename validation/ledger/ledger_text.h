@@ -10,9 +10,6 @@ namespace fairlight {
 
 inline constexpr std::string_view ledger_header = "fairlight ledger 1\n";
 
-/// FNV-1a.
-std::uint64_t hash_of(std::string_view bytes, std::uint64_t hash = 0xCBF29CE484222325u);
-
 /// An entry as a line, with its checksum and its end:
 ///   run CLAIM CONTENT SEED DRAWS FIRST CHANNELS, then too bright, too dark, not brighter, not darker for each channel's rungs; or
 ///   sum CLAIM CONTENT SEED,SEED,... DRAWS FIRST CHANNELS, with the greatest of the last two as well, after each rung's four.

@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
-#include <fairlight/validation/ledger/ledger_text.h>
+#include <fairlight/render/whole_file.h>
+#include <fairlight/validation/provenance/hash.h>
 #include <fairlight/validation/provenance/sources.h>
 #include <fairlight/validation/provenance/subprocess.h>
 
@@ -116,10 +115,7 @@ const std::set<std::string>& Sources::files_of(const std::string& claim_file) {
   return files;
 }
 
-std::string Sources::read(const std::string& file) const {
-  std::ifstream stream(fs::path(places_.source) / file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+std::string Sources::read(const std::string& file) const { return read_whole(places_.source + "/" + file); }
 
 std::uint64_t Sources::content(const std::string& claim_file) {
   std::uint64_t hash = hash_of("");

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <fairlight/validation/analytic/scene_relations.h>
-#include <fairlight/validation/paired_paths.h>
+#include <fairlight/validation/agreements/paired_paths.h>
+#include <fairlight/validation/agreements/scene_relations.h>
 
 namespace fairlight {
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <fairlight/validation/agreements/relations.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
-#include <fairlight/validation/relations.h>
 
 namespace fairlight {
 

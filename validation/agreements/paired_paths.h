@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include <fairlight/stats/evidence.h>
-#include <fairlight/validation/relations.h>
+#include <fairlight/validation/agreements/relations.h>
 
 namespace fairlight {
 

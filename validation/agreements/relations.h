@@ -1,9 +1,9 @@
 #pragma once
 
 #include <fairlight/render/strategies.h>
+#include <fairlight/validation/agreements/related_scenes.h>
 #include <fairlight/validation/padded_sets.h>
 #include <fairlight/validation/radiance.h>
-#include <fairlight/validation/related_scenes.h>
 
 namespace fairlight {
 
