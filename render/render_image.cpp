@@ -39,8 +39,9 @@ void check_camera(const View& view, const Strategies& strategies) {
 
 }  // namespace
 
-View view_of(const RenderSettings& settings) {
-  View view = built_in_scene(settings.scene);
+View view_of(const RenderSettings& settings) { return with_camera_of(settings, built_in_scene(settings.scene)); }
+
+View with_camera_of(const RenderSettings& settings, View view) {
   CameraSettings camera = view.camera.settings();
   if (settings.aperture >= 0) camera.aperture_radius = settings.aperture;
   if (settings.focus >= 0) camera.focus_distance = settings.focus;

@@ -12,6 +12,9 @@ namespace fairlight {
 /// The scene that the settings name, through the camera that they ask for. Throws std::invalid_argument for one that does not exist.
 View view_of(const RenderSettings& settings);
 
+/// Any scene through the camera that they ask for.
+View with_camera_of(const RenderSettings& settings, View view);
+
 /// Samples that come in sets are rendered by whole sets. Throws std::invalid_argument, saying what would do, for a number of them that
 /// is no multiple of the settings' `points`.
 void check_whole_sets(const RenderSettings& settings, std::uint64_t samples);

@@ -17,6 +17,7 @@ void add_camera_claims(std::vector<Claim>& claims);
 void add_allocation_claims(std::vector<Claim>& claims);
 void add_second_order_claims(std::vector<Claim>& claims);
 void add_scene_claims(std::vector<Claim>& claims);
+void add_closed_scene_claims(std::vector<Claim>& claims);
 void add_built_in_scene_claims(std::vector<Claim>& claims);
 void add_relation_claims(std::vector<Claim>& claims);
 void add_paired_path_claims(std::vector<Claim>& claims);
@@ -37,6 +38,7 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"allocation.cpp", add_allocation_claims},
                              {"second_order.cpp", add_second_order_claims},
                              {"scenes.cpp", add_scene_claims},
+                             {"closed_scenes.cpp", add_closed_scene_claims},
                              {"built_in_scenes.cpp", add_built_in_scene_claims},
                              {"relations.cpp", add_relation_claims},
                              {"paired_paths.cpp", add_paired_path_claims}}) {

@@ -1,3 +1,4 @@
+#include <fairlight/validation/analytic/closed_scenes.h>
 #include <fairlight/validation/analytic/furnace.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
 #include <fairlight/validation/faults/catalogue.h>
@@ -36,7 +37,11 @@ std::vector<Fault> direct_light_faults() {
       {"mis-light-probability-forgotten",
        "luminaire probability",
        "redner #56",
-       {mean_claim(shared_lights<faults::ChanceForgottenByBounces>())}}};
+       {mean_claim(shared_lights<faults::ChanceForgottenByBounces>())}},
+      {"rectangles-light-themselves",
+       "epsilon",
+       "fairlight before 0.1.0",
+       {mean_claim<Packet>(lit_box_direct<faults::RectanglesLightThemselves>())}}};
 }
 
 }  // namespace fairlight

@@ -77,4 +77,20 @@ struct ChanceForgottenByBounces : DirectLight<OneOf, PointsBy<SphereByCone>, Sha
   }
 };
 
+/// A point of a lit rectangle, beside its plane by rounding, has all of it in view. This kit's own, which `lit_box` found.
+struct RectanglesLightThemselves {
+  using Right = PointsBy<SphereByArea, RectangleBySolidAngle>;
+
+  template <class Real>
+  static LightSample<Real> sample(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>&,
+                                  const Vec3<Real>& from, const Vec2<Real>& u) {
+    return Right::sample(lights, i, Mask<Real>(false), from, u);
+  }
+  template <class Real>
+  static Density<SolidAngle, Real> pdf(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>&,
+                                       const Vec3<Real>& from, const Vec3<Real>& direction) {
+    return Right::pdf(lights, i, Mask<Real>(false), from, direction);
+  }
+};
+
 }  // namespace fairlight::faults

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <functional>
+
+#include <fairlight/render/cornell.h>
+#include <fairlight/validation/radiance.h>
+
+namespace fairlight {
+
+/// A scene whose camera sees one radiance everywhere, that of a surface that is the same all over: so a picture of it, of any size,
+/// by any strategy and through any lens and filter, has that mean in every pixel.
+struct ClosedScene {
+  View view;
+  /// The radiance, per channel, of paths of at most so many bounces.
+  std::function<Rgb<double>(int depth)> radiance;
+  Rgb<double> brightest;     ///< what a surface emits at most
+  Rgb<double> largest_term;  ///< what the shadow rays of a vertex bring at most
+  double whitest;            ///< the largest albedo
+};
+
+/// A sphere within a sphere, both diffuse and lit, unlike in everything. Of what leaves the outer one F = (r/R)^2 goes to the inner one, and
+/// all that leaves the inner one to the outer one (form factors of concentric spheres), so that
+///   L_outer = Le_outer + rho_outer ((1 - F) L_outer + F L_inner),   L_inner = Le_inner + rho_inner L_outer,
+/// depth by depth from what they emit. By symmetry each has one radiance all over; the camera stands between and looks outwards.
+/// Bound: R = 2 r. By area a shadow ray from the inner sphere to the outer one brings at most 4 R^2 rho Le / (R - r)^2 = 16 rho Le, one
+/// from the outer to the inner one 4 r^2 rho Le / (R - r)^2 = 4 rho Le, and one within the outer rho Le; by cone each brings 4 rho Le at most, as the
+/// cone may be all directions. One of the two is chosen with 1/4 at least: by power as 56 : 20, and by the contribution to the outer sphere;
+/// as 3.5 : 5 by that to the inner one.
+/// Source: Howell, Menguc, Siegel, Thermal Radiation Heat Transfer, C-136 (the form factors)
+inline ClosedScene concentric_spheres() {
+  const Vec3<double> centre(1, -2, 3);
+  const Rgb<double> outer(0.2, 0.4, 0.6), inner(0.25, 0.15, 0.05), from_outer(1, 2, 0.5), from_inner(3, 1, 1);
+  Scene scene;
+  scene.add_sphere(centre, 4, outer, from_outer);
+  scene.add_sphere(centre, 2, inner, from_inner);
+  const Camera camera({.eye = centre + Vec3<double>(0, 1, -3), .look = {0.1, 0.3, -1}, .focus_distance = 0.5});
+  const auto radiance = [=](int depth) {
+    Rgb<double> on_outer = from_outer, on_inner = from_inner;
+    for (int k = 0; k < depth; ++k) {
+      const Rgb<double> before = on_outer;
+      on_outer = from_outer + outer * (0.75 * before + 0.25 * on_inner);
+      on_inner = from_inner + inner * before;
+    }
+    return on_outer;
+  };
+  const Rgb<double> brightest = from_outer.max(from_inner);
+  const Rgb<double> on_outer = 4 * outer * brightest, on_inner = 16 * inner * from_outer;
+  return {{"concentric_spheres", scene, camera}, radiance, brightest, on_outer.max(on_inner) / 0.25, 0.6};
+}
+
+/// Six lit rectangles about a box of 2 x 3 x 4: every ray ends on what emits Le and reflects rho, so that L = Le (1 + rho + rho^2 + ...).
+/// Bound: by solid angle the other faces fill the hemisphere, so all of them bring 2 rho Le at most, and a face that is
+/// chosen with P brings S rho Le / (pi P), with S < pi. By power P >= 6/52. By contribution, weights being A / max(d^2, R^2) with R half of a face's
+/// diagonal, their sum is below 10.7; a weight of 0.6 has P > 1/18, and one below that is of a face so far off (d^2 > 10) that S < 0.9 and
+/// P > 0.029. So 18 rho Le. Where bounces share the light, also by area, a ray brings w rho Le at most, with w = 2 by uniform bounces;
+/// six of them 12 rho Le.
+inline ClosedScene lit_box() {
+  const Rgb<double> albedo(0.3, 0.5, 0.7), radiance(1, 2, 0.5);
+  const Vec3<double> corner(-1, 0.5, 2), x(2, 0, 0), y(0, 3, 0), z(0, 0, 4);
+  Scene scene;
+  scene.add_rectangle(corner, x, y, albedo, radiance);
+  scene.add_rectangle(corner + z, x, y, albedo, radiance);
+  scene.add_rectangle(corner, y, z, albedo, radiance);
+  scene.add_rectangle(corner + x, y, z, albedo, radiance);
+  scene.add_rectangle(corner, z, x, albedo, radiance);
+  scene.add_rectangle(corner + y, z, x, albedo, radiance);
+  const Camera camera({.eye = corner + Vec3<double>(0.8, 1.7, 2.1), .look = {0.4, 0.3, -1}, .focus_distance = 1.5});
+  const auto reference = [=](int depth) {
+    Rgb<double> sum = radiance;
+    for (int k = 0; k < depth; ++k) sum = radiance + albedo * sum;
+    return sum;
+  };
+  return {{"lit_box", scene, camera}, reference, radiance, 18 * albedo * radiance, 0.7};
+}
+
+/// What shadow rays by solid angle bring in the box, where every vertex lies on a luminaire, wherever the camera looks.
+/// Bound: at each of the three vertices all faces bring 2 rho Le at most.
+template <class Points = PointsBy<SphereByArea, RectangleBySolidAngle>>
+auto lit_box_direct() {
+  constexpr int depth = 3;
+  const ClosedScene box = lit_box();
+  const auto tracer =
+      always(PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllOf, Points>, NoRoulette>(depth));
+  const RadianceAlong radiance(box.view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, tracer);
+  const auto draw = [camera = box.view.camera, radiance]<class Real>(std::type_identity<Real> real, auto& source) {
+    const Vec2<Real> place = next_pair<Real>(source);
+    return radiance.along(camera.template ray<Real>(place.x(), place.y(), 1, 1), real, source);
+  };
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c)
+    references.push_back({box.radiance(depth)[c], 0, (1 + depth * 2 * box.whitest) * box.brightest[c]});
+  return Experiment{
+      "lit_box.direct",
+      {"DirectLight", "AllOf", "RectangleBySolidAngle"},
+      "inside a box of lit rectangles the terms up to depth 3 sum to Le (1 - rho^4) / (1 - rho), per channel",
+      "geometric series of the transport operator",
+      2,
+      references,
+      draw};
+}
+
+}  // namespace fairlight

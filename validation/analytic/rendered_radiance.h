@@ -1,0 +1,91 @@
+#pragma once
+
+#include <fairlight/render/render_image.h>
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/analytic/closed_scenes.h>
+#include <fairlight/validation/checks.h>
+
+namespace fairlight {
+
+/// The pixels of small pictures of one radiance, one picture after the other, as the draws of its estimator: each of one sample, or of one set.
+class PixelDraws {
+ public:
+  PixelDraws(const View& view, const RenderSettings& settings, std::uint64_t seed)
+      : view_(view), settings_(settings), seed_(seed) {}
+
+  Rgb<double> at(std::uint64_t draw) {
+    if (draw / pixels != picture_) {
+      picture_ = draw / pixels;
+      film_ = Film(side, side);
+      const std::uint64_t first = picture_ * settings_.points;
+      render_image(view_, settings_, seed_, {first, first + settings_.points}, 1, film_, {});
+    }
+    const auto pixel = static_cast<int>(draw % pixels);
+    return film_.mean(pixel % side, pixel / side);
+  }
+
+ private:
+  static constexpr int side = 32;
+  static constexpr std::uint64_t pixels = side * side;
+
+  View view_;
+  RenderSettings settings_;
+  std::uint64_t seed_;
+  std::uint64_t picture_ = std::numeric_limits<std::uint64_t>::max();
+  Film film_{side, side};
+};
+
+/// What a path of these strategies may bring: at every vertex what its shadow rays bring and what a bounce finds, each weighted at most by the
+/// throughput. That a bounce multiplies by at most w rho, w = 2 by uniform bounces and 1 by others. Roulette by albedo divides by the
+/// largest rho, so that w is left; that by throughput leaves 1 at most, or what it was.
+inline std::vector<Reference> references_of(const ClosedScene& scene, const RenderSettings& settings) {
+  const double bounce = settings.bounce == "uniform" ? 2 : 1;
+  const double weight = settings.roulette == "albedo" ? bounce : std::max(1.0, bounce * scene.whitest);
+  double vertices = 0;
+  for (int k = 0; k < settings.max_depth; ++k) vertices += std::pow(weight, k);
+  const Rgb<double> mean = scene.radiance(settings.max_depth);
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    const double upper = scene.brightest[c] + vertices * (scene.largest_term[c] + weight * scene.brightest[c]);
+    references.push_back({mean[c], 0, upper});
+  }
+  return references;
+}
+
+/// The renderer itself, by its settings: the pixels of a picture of a closed scene have its radiance as their mean.
+/// What strategies do wrong together they do grossly, so the margin is wide.
+inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& settings) {
+  const bool shadow_rays = settings.direct != "none";
+  const std::string search = shadow_rays
+                                 ? formatted("%s.%s", settings.light_sampling.c_str(), settings.which_light.c_str())
+                                 : formatted("%s.%s", settings.roulette.c_str(), settings.filter.c_str());
+  const std::string others =
+      formatted("roulette %s, %s numbers, a %s filter and a %s", settings.roulette.c_str(), settings.random.c_str(),
+                settings.filter.c_str(), settings.aperture > 0 ? "lens" : "pinhole");
+  return {.name = formatted("%s.%s.%s.%s%s", scene.view.name.c_str(), settings.bounce.c_str(),
+                            settings.direct.c_str(), search.c_str(), settings.real == "packet" ? ".packet" : ""),
+          .kind = "mean",
+          .subjects = {"PathTracer", shadow_rays ? "DirectLight" : "NoDirectLight"},
+          .statement = formatted("by %s, the pixels of a picture show the closed form, of depth %d, per channel",
+                                 others.c_str(), settings.max_depth),
+          .source = "radiosity",
+          .margin_factor = 30,
+          .check =
+              [=](const Trial& trial) {
+                const auto references = references_of(scene, settings);
+                PixelDraws draws(with_camera_of(settings, scene.view), settings, trial.seed);
+                return test_means(trial,
+                                  settings.real == "packet" ? rounded_references<Packet>(references)
+                                                            : rounded_references<double>(references),
+                                  [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+                                    for (std::size_t i = 0; i < channels[0].size(); ++i) {
+                                      const Rgb<double> pixel = draws.at(first + i);
+                                      for (std::size_t c = 0; c < 3; ++c)
+                                        channels[c][i] = pixel[static_cast<Eigen::Index>(c)];
+                                    }
+                                  });
+              },
+          .real = settings.real};
+}
+
+}  // namespace fairlight
