@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fairlight/render/settings.h>
@@ -15,15 +17,25 @@ struct LightSearch {
   std::string direct, light_sampling;
 };
 
+/// All ways that the renderer has, under lights that are spheres, and rectangles. Of these by area alone the variance is infinite where they meet:
+/// points of two of them are as near to each other as can be.
+inline const std::vector<LightSearch> searches_of_spheres{
+    {"none", "area"}, {"light", "area"},  {"light", "visible"}, {"light", "cone"},
+    {"mis", "area"},  {"mis", "visible"}, {"mis", "cone"}};
+inline const std::vector<LightSearch> searches_of_rectangles{
+    {"none", "area"}, {"light", "solid-angle"}, {"mis", "solid-angle"}, {"mis", "area"}};
+
 /// Strategies of the renderer, one of each kind, so that every bounce meets every search for light and every choice of a light; and that
 /// any two strategies of any two kinds meet, among them roulette, numbers, filters, the lens and the arithmetic: what goes wrong in a
-/// composition mostly takes two. Rows are completed one by one by those that have met the least often; where nothing is chosen there
-/// are as many, for the others to meet.
+/// composition mostly takes two. Rows are completed one by one so that the most pairs meet that have not, and among these the pairs that have
+/// met the least often; where nothing is chosen there are as many rows, for the others to meet. Throws std::invalid_argument for more than 15
+/// searches.
 /// Source: Cohen, Dalal, Fredman, Patton 1997 (IEEE TSE 23:437)
 class StrategyCross {
  public:
   /// Of paths of at most `depth` bounces.
   StrategyCross(const std::vector<LightSearch>& searches, int depth) {
+    if (searches.size() >= most) throw std::invalid_argument("there are too many searches to be crossed");
     for (std::size_t bounce = 0; bounce < bounces.size(); ++bounce) {
       for (std::size_t search = 0; search < searches.size(); ++search) {
         const bool chooses = searches[search].direct != "none";
@@ -64,7 +76,7 @@ class StrategyCross {
 
   struct Completion {
     Row row{};
-    int met = std::numeric_limits<int>::max();  ///< how often its pairs have met, all told
+    std::pair<int, int> cost{std::numeric_limits<int>::max(), 0};  ///< pairs that have met, and how often all told
   };
 
   // Tries all that a row may go on with, from a kind on.
@@ -75,9 +87,12 @@ class StrategyCross {
       }
       return;
     }
-    int met = 0;
-    for_each_pair(row, [&](std::size_t pair) { met += met_[pair]; });
-    if (met < best.met) best = {row, met};
+    std::pair cost{0, 0};
+    for_each_pair(row, [&](std::size_t pair) {
+      cost.first += met_[pair] > 0 ? 1 : 0;
+      cost.second += met_[pair];
+    });
+    if (cost < best.cost) best = {row, cost};
   }
 
   static RenderSettings settings_of(const Row& row, const LightSearch& search, int depth) {

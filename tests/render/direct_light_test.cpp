@@ -146,15 +146,19 @@ TEST(DirectLight, OfARectangle) {
 
 // A point of it may be rounded to beside its plane, from where it would fill half of all directions.
 TEST(PointsBy, DoNotSeeARectangleFromItself) {
-  Scene scene;
-  scene.add_rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, half, lit);
-  const LightTable<double> lights(scene);
+  Scene alone;
+  alone.add_rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, half, lit);
+  Scene beside_a_sphere = alone;
+  beside_a_sphere.add_sphere({0, 0, 5}, 1, half, lit);
   const PointsBy<SphereByArea, RectangleBySolidAngle> points;
   const Vec3<double> beside(0.5, 0.5, 1e-16), towards(0, 0, -1);
-  EXPECT_EQ(points.sample<double>(lights, 0, true, beside, {0.5, 0.5}).density.value(), 0);
-  EXPECT_EQ(points.pdf<double>(lights, 0, true, beside, towards).value(), 0);
-  EXPECT_NEAR(points.sample<double>(lights, 0, false, beside, {0.5, 0.5}).density.value(), 1 / (2 * M_PI), 1e-14);
-  EXPECT_NEAR(points.pdf<double>(lights, 0, false, beside, towards).value(), 1 / (2 * M_PI), 1e-14);
+  for (const Scene& scene : {alone, beside_a_sphere}) {
+    const LightTable<double> lights(scene);
+    EXPECT_EQ(points.sample<double>(lights, 0, true, beside, {0.5, 0.5}).density.value(), 0);
+    EXPECT_EQ(points.pdf<double>(lights, 0, true, beside, towards).value(), 0);
+    EXPECT_NEAR(points.sample<double>(lights, 0, false, beside, {0.5, 0.5}).density.value(), 1 / (2 * M_PI), 1e-14);
+    EXPECT_NEAR(points.pdf<double>(lights, 0, false, beside, towards).value(), 1 / (2 * M_PI), 1e-14);
+  }
 }
 
 }  // namespace

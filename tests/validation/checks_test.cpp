@@ -172,5 +172,29 @@ TEST(CheckLaw, FindsDrawsOfAnotherLaw) {
   EXPECT_EQ(check_law(trial, Swapped{}, HemisphereDomain{}).verdict, Verdict::biased);
 }
 
+// Uniform on [0,1) x [0,1), of which it says that a part has another density.
+struct Stated {
+  using Scalar = double;
+  using Point = Vec2<double>;
+  using Measure = Area;
+  Vec2<double> sample(const Vec2<double>& u) const { return u; }
+  Density<Area, double> pdf(const Vec2<double>& x) const {
+    return Density<Area, double>(x.x() < part ? density : 1);
+  }
+  double part, density;
+};
+
+TEST(CheckDensity, AllowsAnEdgeWithoutDensityAndNoMore) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto verdict = [](const Stated& drawn, const Stated& law) {
+    return check_density(trial, drawn, law).verdict;
+  };
+  EXPECT_EQ(verdict({1e-4, 0}, {1e-4, 0}), Verdict::certified);
+  EXPECT_EQ(verdict({0.5, 0}, {0.5, 0}), Verdict::biased);
+  EXPECT_EQ(verdict({0.5, infinite}, {0.5, infinite}), Verdict::biased);
+  EXPECT_EQ(verdict({0.5, 1}, {0.5, 0}), Verdict::biased);
+  EXPECT_EQ(verdict({0.5, 1}, {0, 0}), Verdict::certified);
+}
+
 }  // namespace
 }  // namespace fairlight

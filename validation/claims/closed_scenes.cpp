@@ -10,16 +10,11 @@ void add_closed_scene_claims(std::vector<Claim>& claims) {
       claims.push_back(rendered_radiance(scene, row));
     }
   };
-  add(concentric_spheres(), {{"none", "area"},
-                             {"light", "area"},
-                             {"light", "visible"},
-                             {"light", "cone"},
-                             {"mis", "area"},
-                             {"mis", "visible"},
-                             {"mis", "cone"}});
-  // By area alone the variance is infinite: points of two faces are as near to each other as can be.
-  add(lit_box(), {{"none", "area"}, {"light", "solid-angle"}, {"mis", "solid-angle"}, {"mis", "area"}});
-  add_independent_mean(claims, lit_box_direct());
+  add(concentric_spheres(), searches_of_spheres);
+  add(lit_box(), searches_of_rectangles);
+  using BySolidAngle = PointsBy<SphereByArea, RectangleBySolidAngle>;
+  add_independent_mean(claims, in_lit_box<DirectLight<AllOf, BySolidAngle>>("direct"));
+  add_independent_mean(claims, in_lit_box<DirectLight<AllOf, BySolidAngle, Shared<>>>("shared"));
 }
 
 }  // namespace fairlight

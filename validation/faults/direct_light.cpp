@@ -23,6 +23,7 @@ std::vector<Claim> with_mirror(const std::string& how) {
 std::vector<Fault> direct_light_faults() {
   using AtWrongVertex = DirectLight<AllOf, faults::DensityAtWrongVertex, Shared<>>;
   using InFull = DirectLight<AllOf, PointsBy<SphereByCone>, faults::SharedByShadowRaysAlone>;
+  using LitByThemselves = DirectLight<AllOf, faults::RectanglesLightThemselves>;
   return {
       {"emission-twice", "double count", "the paper, A.2", in_furnace<faults::EmissionTwice>()},
       {"emission-unseen", "emission lost", "mitsuba3 #1540", in_furnace<faults::EmissionUnseen>()},
@@ -41,7 +42,7 @@ std::vector<Fault> direct_light_faults() {
       {"rectangles-light-themselves",
        "epsilon",
        "fairlight before 0.1.0",
-       {mean_claim<Packet>(lit_box_direct<faults::RectanglesLightThemselves>())}}};
+       {mean_claim<Packet>(in_lit_box<LitByThemselves>("direct"))}}};
 }
 
 }  // namespace fairlight
