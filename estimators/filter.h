@@ -44,8 +44,8 @@ class BoxFilter {
 /// filter, so pixels stay independent of each other.
 /// Formula  p(x, y) = (1 - |x|) (1 - |y|)
 /// Measure  area [1/pixel^2]
-/// Domain   [-1,1]^2; the density is 0 elsewhere
-/// Random   u in [0,1)^2
+/// Domain   (-1,1)^2; the density is 0 elsewhere
+/// Random   u in [0,1)^2: a number is the step of half an ulp that it begins, by its middle, as 0 would be an edge without density
 /// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"
 template <class Real>
 struct TentFilter {
@@ -60,8 +60,9 @@ struct TentFilter {
  private:
   static Real offset(Real u) {
     using std::sqrt;
-    const Real left = sqrt(Real(2) * u) - Real(1);
-    const Real right = Real(1) - sqrt(Real(2) * (Real(1) - u));
+    const Real step(ulp<Real> / 2);
+    const Real left = sqrt(Real(2) * u + step) - Real(1);
+    const Real right = Real(1) - sqrt(Real(2) * (Real(1) - u) - step);
     return select(u < Real(0.5), left, right);
   }
 

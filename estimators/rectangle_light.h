@@ -8,15 +8,17 @@
 namespace fairlight {
 
 /// A rectangle that shines from both its faces, as the surfaces of a scene do; where it shines from one alone, the radiance of
-/// the other is 0. From its own plane it is not seen. In its axes a corner is where it is to some ulp of its distance, in floats as
-/// in double: of a rectangle that is nearer to its plane, or smaller, than that, the densities are those of another.
+/// the other is 0. From its own plane it is not seen, nor from a point on it, which rounding puts beside the plane and which then had half of
+/// all directions full of it. In its axes a corner is where it is to some ulp of its distance, in floats as in double: of a rectangle that is nearer to its plane, or smaller, than that, the densities are those of another.
 template <class Real>
 class RectangleLight {
  public:
   /// A corner and the two edges from it [m]. Throws std::invalid_argument unless the edges are longer than 0 and orthogonal, to
-  /// 64 ulp of the product of their lengths.
-  RectangleLight(const Vec3<Real>& corner, const Vec3<Real>& edge_x, const Vec3<Real>& edge_y)
-      : corner_(corner), width_(edge_x.norm()), height_(edge_y.norm()) {
+  /// 64 ulp of the product of their lengths. `on_surface` says that the points that it is looked
+  /// at from lie on it.
+  RectangleLight(const Vec3<Real>& corner, const Vec3<Real>& edge_x, const Vec3<Real>& edge_y,
+                 const Mask<Real>& on_surface = Mask<Real>(false))
+      : on_surface_(on_surface), corner_(corner), width_(edge_x.norm()), height_(edge_y.norm()) {
     using std::abs;
     if (!all(width_ > Real(0) && height_ > Real(0)))
       throw std::invalid_argument("a rectangle's edges must be longer than 0 (its area divides)");
@@ -34,7 +36,10 @@ class RectangleLight {
   Real height() const { return height_; }
 
   /// The corner from a point, in the rectangle's own axes [m]: z is the distance of its plane, of either sign.
-  Vec3<Real> corner_from(const Vec3<Real>& point) const { return to_axes(corner_ - point); }
+  Vec3<Real> corner_from(const Vec3<Real>& point) const {
+    const Vec3<Real> corner = to_axes(corner_ - point);
+    return {corner.x(), corner.y(), select(on_surface_, Real(0), corner.z())};
+  }
   Vec3<Real> to_axes(const Vec3<Real>& v) const { return {x_.dot(v), y_.dot(v), normal_.dot(v)}; }
   Vec3<Real> from_axes(const Vec3<Real>& v) const { return x_ * v.x() + y_ * v.y() + normal_ * v.z(); }
 
@@ -56,6 +61,7 @@ class RectangleLight {
   }
 
  private:
+  Mask<Real> on_surface_;
   Vec3<Real> corner_;
   Real width_, height_;
   Vec3<Real> x_, y_, normal_;

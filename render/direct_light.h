@@ -28,14 +28,12 @@ struct Vertex {
 /// Source   the strategies'
 template <template <class> class SphereSampling, template <class> class RectangleSampling = RectangleByArea>
 struct PointsBy {
-  /// A direction towards luminaire i; `on_it` says that `from` lies on its surface. A rectangle is not seen from itself, though
-  /// a point that is rounded may be beside its plane.
+  /// A direction towards luminaire i; `on_it` says that `from` lies on its surface.
   template <class Real>
   static LightSample<Real> sample(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>& on_it,
                                   const Vec3<Real>& from, const Vec2<Real>& u) {
     if (!lights.has_rectangles()) return SphereSampling<Real>(lights.sphere(i, on_it)).sample(from, u);
-    LightSample<Real> flat = RectangleSampling<Real>(lights.rectangle(i)).sample(from, u);
-    flat.density = elsewhere(on_it, flat.density);
+    const LightSample<Real> flat = RectangleSampling<Real>(lights.rectangle(i, on_it)).sample(from, u);
     if (!lights.has_spheres()) return flat;
     const LightSample<Real> round = SphereSampling<Real>(lights.sphere(i, on_it)).sample(from, u);
     const Mask<Real> is_flat = lights.is_rectangle(i);
@@ -49,16 +47,10 @@ struct PointsBy {
                                        const Mask<Real>& on_it, const Vec3<Real>& from,
                                        const Vec3<Real>& direction) {
     if (!lights.has_rectangles()) return SphereSampling<Real>(lights.sphere(i, on_it)).pdf(from, direction);
-    const auto flat = elsewhere(on_it, RectangleSampling<Real>(lights.rectangle(i)).pdf(from, direction));
+    const auto flat = RectangleSampling<Real>(lights.rectangle(i, on_it)).pdf(from, direction);
     if (!lights.has_spheres()) return flat;
     const auto round = SphereSampling<Real>(lights.sphere(i, on_it)).pdf(from, direction);
     return Density<SolidAngle, Real>(select(lights.is_rectangle(i), flat.value(), round.value()));
-  }
-
- private:
-  template <class Real>
-  static Density<SolidAngle, Real> elsewhere(const Mask<Real>& on_it, const Density<SolidAngle, Real>& density) {
-    return Density<SolidAngle, Real>(select(on_it, Real(0), density.value()));
   }
 };
 

@@ -34,9 +34,9 @@ class LightTable {
     return {centres_(i), radii_(i), on_surface};
   }
   /// In lanes where it is a sphere, some rectangle.
-  RectangleLight<Real> rectangle(const Index<Real>& i) const {
+  RectangleLight<Real> rectangle(const Index<Real>& i, const Mask<Real>& on_surface) const {
     const Vec3<Real> x = edges_x_(i), y = edges_y_(i);
-    return {centres_(i) - (x + y) * Real(0.5), x, y};
+    return {centres_(i) - (x + y) * Real(0.5), x, y, on_surface};
   }
   Rgb<Real> emission(const Index<Real>& i) const { return radiances_(i).array(); }
   /// The index of its surface in the scene.

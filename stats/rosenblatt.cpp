@@ -18,7 +18,6 @@ using Rule = boost::math::quadrature::gauss<double, 8>;
 constexpr int knots = 256;
 constexpr int pieces = 6;  // of the unit interval in t
 constexpr int order = 3;
-constexpr double inside = 1e-9 / knots;  // of an edge, where a density may vanish or end
 
 // All moments of one place, in the order of test_rosenblatt's channels.
 void moments_of(const Eigen::Vector2d& place, std::size_t i, std::vector<std::vector<double>>& channels) {
@@ -39,6 +38,7 @@ void moments_of(const Eigen::Vector2d& place, std::size_t i, std::vector<std::ve
 }  // namespace
 
 Rosenblatt::Rosenblatt(SquareDensity density) : density_(std::move(density)) {
+  constexpr double inside = 1e-9 / knots;
   double sum = 0;
   for (int k = 0; k < knots; ++k) {
     const double low = double(k) / knots;
@@ -67,15 +67,14 @@ Rosenblatt::Strip Rosenblatt::strip(double s, double t) const {
 
 double Rosenblatt::marginal(double s) const { return strip(s, 0).whole; }
 
-// In a slab, the cubic that has its mass and, at its ends, its marginal (Hermite). What t has at an edge it has just inside: where a density
-// vanishes at the edge, it leaves no law to t there, and a float is there once in 2^24 draws.
+// In a slab, the cubic that has its mass and, at its ends, its marginal (Hermite).
 Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
   const int knot = std::min(static_cast<int>(s * knots), knots - 1);
   const Slab& slab = slabs_[static_cast<std::size_t>(knot)];
   const double x = s * knots - knot;
   const double u = slab.before + slab.mass * x * x * (3 - 2 * x) + slab.first * x * (1 - x) * (1 - x) -
                    slab.last * x * x * (1 - x);
-  const Strip across = strip(std::clamp(s, inside, 1 - inside), t);
+  const Strip across = strip(s, t);
   return {u, across.part / across.whole};
 }
 

@@ -46,7 +46,7 @@ class Rosenblatt {
 /// sqrt2 cos(j pi u), sqrt2 cos(k pi v) and 2 cos(j pi u) cos(k pi v) for j, k up to 3 all have mean 0. They are
 /// orthonormal, so a mean of a is a part of that L2 distance between the laws, and the margin is an L2 distance.
 /// `draw(i)` gives the coordinates (s, t) of draw i. Guarantee: exact, up to the quadrature (1e-6). What it cannot
-/// see: a law that differs only in finer waves, and a draw now and then on an edge where the density vanishes.
+/// see: a law that differs only in finer waves.
 Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
                         const std::function<Eigen::Vector2d(std::uint64_t)>& draw);
 

@@ -10,7 +10,7 @@ namespace fairlight {
 
 /// The rows that say of a sampler: its draws follow its density, which integrates to one. `make(type_identity<Real>)`
 /// gives the sampler in an arithmetic; the density that packets are held to is that of double, so a draw in floats must not
-/// leave the support by rounding, but for its edge: a parameter that floats know exactly sees to it.
+/// leave the support by rounding: a parameter that floats know exactly sees to it.
 template <class Make, class Domain>
 struct LawExperiment {
   std::string name, subject, source;

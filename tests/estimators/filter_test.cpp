@@ -57,15 +57,24 @@ TEST(TentFilter, IsOneAtTheCentreAndZeroAtTheNeighbours) {
 
 TEST(TentFilter, InvertsItsDistributionFunction) {
   // P(X <= x) is (1 + x)^2 / 2 left of the centre and 1 - (1 - x)^2 / 2 right of it.
-  EXPECT_EQ(TentFilter<double>().sample({0.125, 0.875}), Vec2<double>(-0.5, 0.5));
-  EXPECT_EQ(TentFilter<double>().sample({0.5, 0}), Vec2<double>(0, -1));
+  const Vec2<double> quarters = TentFilter<double>().sample({0.125, 0.875});
+  EXPECT_DOUBLE_EQ(quarters.x(), -0.5);
+  EXPECT_DOUBLE_EQ(quarters.y(), 0.5);
+  // The middles of the first two steps of 2^-53: x of (1 + x)^2 = 2^-53 and 3 2^-53.
+  const Vec2<double> first = TentFilter<double>().sample({0, std::ldexp(1, -53)});
+  EXPECT_DOUBLE_EQ(first.x(), std::sqrt(std::ldexp(1, -53)) - 1);
+  EXPECT_DOUBLE_EQ(first.y(), std::sqrt(std::ldexp(3, -53)) - 1);
 }
 
-TEST(TentFilter, StaysInItsDomainAtTheEdgesOfTheSquare) {
-  for (const Vec2<double>& u : testing::edge_points()) {
-    const Vec2<double> x = TentFilter<double>().sample(u);
-    EXPECT_LE(x.cwiseAbs().maxCoeff(), 1) << u.transpose();
-  }
+// What divides by the density of a draw relies on it.
+TEST(TentFilter, HasADensityWhereverADrawFalls) {
+  const auto expect_density = [](const auto& tent, const auto& u) {
+    const auto x = tent.sample(u);
+    EXPECT_LT(x.cwiseAbs().maxCoeff(), 1) << u.transpose();
+    EXPECT_GT(tent.pdf(x).value(), 0) << u.transpose();
+  };
+  for (const Vec2<double>& u : testing::edge_points()) expect_density(TentFilter<double>(), u);
+  for (const Vec2<float>& u : testing::edge_points<float>()) expect_density(TentFilter<float>(), u);
 }
 
 RC_GTEST_PROP(TentFilter, HasTheJacobianOneOverItsDensity, ()) {

@@ -184,16 +184,16 @@ struct Stated {
   double part, density;
 };
 
-TEST(CheckDensity, AllowsAnEdgeWithoutDensityAndNoMore) {
+TEST(CheckDensity, RefusesADrawWithoutDensityOrOfAnother) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto verdict = [](const Stated& drawn, const Stated& law) {
     return check_density(trial, drawn, law).verdict;
   };
-  EXPECT_EQ(verdict({1e-4, 0}, {1e-4, 0}), Verdict::certified);
+  EXPECT_EQ(verdict({0.5, 1}, {0.5, 1}), Verdict::certified);
   EXPECT_EQ(verdict({0.5, 0}, {0.5, 0}), Verdict::biased);
   EXPECT_EQ(verdict({0.5, infinite}, {0.5, infinite}), Verdict::biased);
   EXPECT_EQ(verdict({0.5, 1}, {0.5, 0}), Verdict::biased);
-  EXPECT_EQ(verdict({0.5, 1}, {0, 0}), Verdict::certified);
+  EXPECT_EQ(verdict({0.5, 1.5}, {0.5, 1}), Verdict::biased);
 }
 
 }  // namespace

@@ -76,11 +76,11 @@ TEST(RenderedPixels, AreNoNumbersWhereTheRendererRefusesThem) {
   EXPECT_TRUE(draws.at(1).isNaN().all());
 }
 
-// Of at most two bounces, each vertex bringing 5 at most, by uniform bounces: 1 + (5 + 2) + 2 (5 + 2), or with 2 x 0.75 in place of 2; by
-// shadow rays alone 1 + 5 + 10, by bounces alone 1 + 2 + 4.
+// Of at most two bounces, where surfaces emit 3 at most and reflect 0.6, each vertex's shadow rays bringing 5 at most, by uniform bounces:
+// 3 + (5 + 2 x 3) + 2 (5 + 2 x 3), or with 2 x 0.6 in place of 2; by shadow rays alone 3 + 5 + 10, by bounces alone 3 + 6 + 12.
 TEST(RenderedPixels, AreBoundedVertexByVertex) {
-  const auto one = [](int) { return Rgb<double>(1, 1, 1); };
-  const ClosedScene scene{concentric_spheres().view, one, {1, 1, 1}, {5, 5, 5}, 0.75};
+  ClosedScene scene = concentric_spheres();
+  scene.largest_term = {5, 5, 5};
   RenderSettings settings;
   settings.max_depth = 2;
   settings.bounce = "uniform";
@@ -88,11 +88,11 @@ TEST(RenderedPixels, AreBoundedVertexByVertex) {
     settings.direct = direct;
     return references_of(scene, settings)[0].upper;
   };
-  EXPECT_EQ(upper("mis"), 22);
-  EXPECT_EQ(upper("light"), 16);
-  EXPECT_EQ(upper("none"), 7);
+  EXPECT_EQ(upper("mis"), 36);
+  EXPECT_EQ(upper("light"), 18);
+  EXPECT_EQ(upper("none"), 21);
   settings.roulette = "off";
-  EXPECT_EQ(upper("mis"), 17.25);
+  EXPECT_DOUBLE_EQ(upper("mis"), 3 + 8.6 + 1.2 * 8.6);
 }
 
 using Values = std::map<std::string, std::set<std::string>>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include <fairlight/render/cornell.h>
@@ -13,9 +14,20 @@ struct ClosedScene {
   View view;
   /// The radiance, per channel, of paths of at most so many bounces.
   std::function<Rgb<double>(int depth)> radiance;
-  Rgb<double> brightest;     ///< what a surface emits at most
   Rgb<double> largest_term;  ///< what the shadow rays of a vertex bring at most
-  double whitest;            ///< the largest albedo
+
+  /// What a surface emits at most.
+  Rgb<double> brightest() const {
+    Rgb<double> most(0, 0, 0);
+    for (const Surface& surface : view.scene.surfaces()) most = most.max(surface.radiance);
+    return most;
+  }
+  /// The largest albedo.
+  double whitest() const {
+    double most = 0;
+    for (const Surface& surface : view.scene.surfaces()) most = std::max(most, surface.material.albedo.maxCoeff());
+    return most;
+  }
 };
 
 /// A sphere within a sphere, both diffuse and lit, unlike in everything. Of what leaves the outer one F = (r/R)^2 goes to the inner one, and
@@ -24,8 +36,8 @@ struct ClosedScene {
 /// depth by depth from what they emit. By symmetry each has one radiance all over; the camera stands between and looks outwards.
 /// Bound: R = 2 r. By area a shadow ray from the inner sphere to the outer one brings at most 4 R^2 rho Le / (R - r)^2 = 16 rho Le, one
 /// from the outer to the inner one 4 r^2 rho Le / (R - r)^2 = 4 rho Le, and one within the outer rho Le; by cone each brings 4 rho Le at most, as the
-/// cone may be all directions. One of the two is chosen with 1/4 at least: outer to inner is 56 : 20 by power, and by contribution at the outer sphere; 3.5 : 5 at the
-/// inner one. All of them bring no more.
+/// cone may be all directions. One of the two is chosen with 1/4 at least: outer to inner is 56 : 20 by power, and by contribution at the outer
+/// sphere; 3.5 : 5 at the inner one. All of them bring no more.
 /// Source: form factors by reciprocity, A_1 F_12 = A_2 F_21, all of the inner sphere's light going to the outer one; Goral et al. 1984
 inline ClosedScene concentric_spheres() {
   const Vec3<double> centre(1, -2, 3);
@@ -43,9 +55,8 @@ inline ClosedScene concentric_spheres() {
     }
     return on_outer;
   };
-  const Rgb<double> brightest = from_outer.max(from_inner);
-  const Rgb<double> on_outer = 4 * outer * brightest, on_inner = 16 * inner * from_outer;
-  return {{"concentric_spheres", scene, camera}, radiance, brightest, on_outer.max(on_inner) / 0.25, 0.6};
+  const Rgb<double> on_outer = 4 * outer * from_outer.max(from_inner), on_inner = 16 * inner * from_outer;
+  return {{"concentric_spheres", scene, camera}, radiance, on_outer.max(on_inner) / 0.25};
 }
 
 /// Six lit rectangles about a box of 2 x 3 x 4: every ray ends on what emits Le and reflects rho, so that L = Le (1 + rho + rho^2 + ...).
@@ -71,7 +82,7 @@ inline ClosedScene lit_box() {
     for (int k = 0; k < depth; ++k) sum = radiance + albedo * sum;
     return sum;
   };
-  return {{"lit_box", scene, camera}, reference, radiance, 18 * albedo * radiance, 0.7};
+  return {{"lit_box", scene, camera}, reference, 18 * albedo * radiance};
 }
 
 /// Paths of three bounces in the box, where every vertex lies on a luminaire, wherever the camera looks: what goes wrong there is rounding, and small.
@@ -88,7 +99,7 @@ auto in_lit_box(const std::string& how) {
   };
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c)
-    references.push_back({box.radiance(depth)[c], 0, (1 + depth * 3 * box.whitest) * box.brightest[c]});
+    references.push_back({box.radiance(depth)[c], 0, (1 + depth * 3 * box.whitest()) * box.brightest()[c]});
   return Experiment{
       "lit_box." + how,
       {"DirectLight", "AllOf", "RectangleBySolidAngle"},

@@ -54,13 +54,13 @@ class RenderedPixels {
 /// albedo divides by the largest rho, so that w is left; that by throughput leaves 1 at most, or what it was.
 inline std::vector<Reference> references_of(const ClosedScene& scene, const RenderSettings& settings) {
   const double bounce = settings.bounce == "uniform" ? 2 : 1;
-  const double weight = settings.roulette == "albedo" ? bounce : std::max(1.0, bounce * scene.whitest);
+  const double weight = settings.roulette == "albedo" ? bounce : std::max(1.0, bounce * scene.whitest());
   const double shadow_rays = settings.direct == "none" ? 0 : 1, bounces = settings.direct == "light" ? 0 : weight;
   double vertices = 0;
   for (int k = 0; k < settings.max_depth; ++k) vertices += std::pow(weight, k);
   const Rgb<double> mean = scene.radiance(settings.max_depth);
-  const Rgb<double> upper =
-      scene.brightest + vertices * (shadow_rays * scene.largest_term + bounces * scene.brightest);
+  const Rgb<double> brightest = scene.brightest();
+  const Rgb<double> upper = brightest + vertices * (shadow_rays * scene.largest_term + bounces * brightest);
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) references.push_back({mean[c], 0, upper[c]});
   return references;

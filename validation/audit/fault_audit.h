@@ -13,9 +13,8 @@ namespace fairlight {
 struct FaultOutcome {
   const Fault* fault;
   const Claim* claim;
-  double effect =
-      0;  ///< the bias that the fault induces in the claim, relative: the mean over seeds; not a number if one had no draw
-  double margin = 0;        ///< the bias that the claim excludes
+  double effect = 0;  ///< the relative bias that it induces, the mean over seeds; not a number if one had no draw
+  double margin = 0;  ///< the bias that the claim excludes
   std::uint64_t draws = 0;  ///< the mean number to the verdict
   double seconds = 0;       ///< the mean time to the verdict, on one thread
   int caught = 0;           ///< how many seeds said `biased`
