@@ -26,7 +26,8 @@ constexpr double largest_slack = 0.05;
 // Of alpha, the part that giving up on right code may take; the rest is for calling it biased.
 constexpr double part_for_giving_up = 0.02;
 
-double log_mixture(const std::array<double, 3>& logs) {
+double log_mixture(const std::array<LogProduct, 3>& products) {
+  const std::array<double, 3> logs{products[0].log(), products[1].log(), products[2].log()};
   const double top = *std::max_element(logs.begin(), logs.end());
   double sum = 0;
   for (std::size_t i = 0; i < logs.size(); ++i) sum += mixture_weights[i] * std::exp(logs[i] - top);
@@ -43,24 +44,6 @@ double bet_on(double margin, double variance, double skew) {
 
 // What a process may gain or lose of itself in one block, at the stake that its room allows.
 double return_of(double bet, double room, double gain) { return std::min(bet, largest_stake / room) * gain; }
-
-// The logarithm of a product of positive factors, taken only where the product would leave the range of a double: as exact as the
-// sum of their logarithms, and a tenth of its cost.
-class LogProduct {
- public:
-  void multiply(double factor) {
-    product_ *= factor;
-    if (product_ < 1e-100 || product_ > 1e100) {
-      log_ += std::log(product_);
-      product_ = 1;
-    }
-  }
-  double log() const { return log_ + std::log(product_); }
-
- private:
-  double product_ = 1;
-  double log_ = 0;
-};
 
 // On right code log U1 and log D1 drift by K/2 with variance K after n = K variance/margin^2 draws, so each is short of
 // log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta): the K at which to give up. Half as much again pays
@@ -80,11 +63,12 @@ BadDraw::BadDraw(std::uint64_t draw, double value, const char* problem)
       draw_(draw) {}
 
 BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta)
-    : hypothesis_(hypothesis), alpha_(alpha), beta_(beta) {
+    : hypothesis_(hypothesis), beta_(beta) {
   const auto& h = hypothesis_;
   if (!(alpha > 0 && alpha < 1)) throw std::invalid_argument("the level alpha must be in (0,1)");
   if (!(beta > 0 && beta < 1)) throw std::invalid_argument("the miss rate beta must be in (0,1)");
   drift_ = drift_to_wait_for(alpha * part_for_giving_up, beta);
+  refuting_ = (h.sides == Sides::both ? 2 : 1) / (alpha * (1 - part_for_giving_up));
   if (!(h.margin > 0) || !std::isfinite(h.margin)) {
     throw std::invalid_argument("the margin must be positive (no finite sample shows that a bias is exactly zero)");
   }
@@ -123,7 +107,7 @@ std::uint64_t BettingTest::block_size() const {
 BettingTest::Outlook BettingTest::outlook(std::uint64_t block) const {
   const auto n = static_cast<double>(moments_.count());
   const auto size = static_cast<double>(block);
-  const double skew = n > 0 ? std::abs(moments_.skewness()) * std::pow(moments_.squared_deviations() / n, 1.5) : 0;
+  const double skew = n > 0 ? std::abs(moments_.cubed_deviations()) / n : 0;
   return {spread() / size, skew / (size * size)};
 }
 
@@ -181,23 +165,21 @@ void BettingTest::add(std::span<const double> draws) {
   blocks_.push_back(block);
   for (std::size_t i = 0; i < mixture_factors.size(); ++i) {
     const Gains refuting = refute(block, mixture_factors[i] * block.bet);
-    log_up_[i] += std::log1p(refuting.up);
-    log_down_[i] += std::log1p(refuting.down);
+    too_bright_[i].multiply(1 + refuting.up);
+    too_dark_[i].multiply(1 + refuting.down);
   }
   const Gains certifying = certify(block, block.bet, hypothesis_.margin);
-  log_not_darker_ += std::log1p(certifying.up);
-  log_not_brighter_ += std::log1p(certifying.down);
+  not_darker_.multiply(1 + certifying.up);
+  not_brighter_.multiply(1 + certifying.down);
   decide();
 }
 
-double BettingTest::refuting() const {
-  return std::log((hypothesis_.sides == Sides::both ? 2 : 1) / (alpha_ * (1 - part_for_giving_up)));
-}
+double BettingTest::refuting() const { return std::log(refuting_); }
 
 double BettingTest::certifying() const { return std::log(1 / beta_); }
 
 Wealth BettingTest::wealth() const {
-  return {log_mixture(log_up_), log_mixture(log_down_), log_not_brighter_, log_not_darker_};
+  return {log_mixture(too_bright_), log_mixture(too_dark_), not_brighter_.log(), not_darker_.log()};
 }
 
 // On what was thought of each block before it was drawn.
@@ -223,15 +205,14 @@ Wealth BettingTest::wealth_for(double margin) const {
 void BettingTest::decide() {
   const bool above = hypothesis_.sides != Sides::not_below;  // too bright is a fault
   const bool below = hypothesis_.sides != Sides::not_above;  // too dark is a fault
-  const double reject = refuting();
-  const double accept = certifying();
   const auto refutes =
-      [reject](const std::array<double, 3>& logs) {  // a mixture is no larger than its largest part
-        return *std::max_element(logs.begin(), logs.end()) >= reject && log_mixture(logs) >= reject;
+      [this](const std::array<LogProduct, 3>& wealth) {  // a mixture is no larger than its largest part
+        return std::ranges::any_of(wealth, [this](const LogProduct& part) { return part.reaches(refuting_); }) &&
+               log_mixture(wealth) >= refuting();
       };
-  if ((above && refutes(log_up_)) || (below && refutes(log_down_))) {
+  if ((above && refutes(too_bright_)) || (below && refutes(too_dark_))) {
     verdict_ = Verdict::biased;
-  } else if ((!above || log_not_brighter_ >= accept) && (!below || log_not_darker_ >= accept)) {
+  } else if ((!above || not_brighter_.reaches(1 / beta_)) && (!below || not_darker_.reaches(1 / beta_))) {
     verdict_ = Verdict::certified;
   }
 }
@@ -262,15 +243,19 @@ double BettingTest::evidence(double candidate, bool above) const {
     for (std::size_t i = 0; i < wealth.size(); ++i)
       wealth[i].multiply(1 + return_of(mixture_factors[i] * block.bet, room, gain));
   }
-  return log_mixture({wealth[0].log(), wealth[1].log(), wealth[2].log()}) - std::log(mixture_weights[0] / beta_);
+  return log_mixture(wealth) - std::log(mixture_weights[0] / beta_);
 }
 
+// An end is looked for near what the draws say, as it is seldom farther off than a few margins.
 Interval BettingTest::interval() const {
   const auto& h = hypothesis_;
   const auto end = [this](double proven, double open, bool above) {
     const auto excess = [&](double candidate) { return evidence(candidate, above); };
     if (excess(proven) < 0) return proven;
     if (excess(open) >= 0) return open;
+    const double near = std::clamp(moments_.mean() - (above ? 4 : -4) * hypothesis_.margin, std::min(proven, open),
+                                   std::max(proven, open));
+    (excess(near) < 0 ? open : proven) = near;
     std::uintmax_t iterations = 100;
     const auto bracket =
         boost::math::tools::toms748_solve(excess, std::min(proven, open), std::max(proven, open),

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <fairlight/stats/log_product.h>
 #include <fairlight/stats/moments.h>
 #include <fairlight/stats/verdict.h>
 
@@ -126,16 +127,16 @@ class BettingTest {
   void decide();
 
   MeanHypothesis hypothesis_;
-  double alpha_;
   double beta_;
   double drift_;
+  double refuting_;
   Verdict verdict_ = Verdict::undecided;
   Moments moments_;
   std::vector<Block> blocks_;
-  std::array<double, 3> log_up_{};    // log U0, one per rung of the mixture
-  std::array<double, 3> log_down_{};  // log D0
-  double log_not_darker_ = 0;         // log U1
-  double log_not_brighter_ = 0;       // log D1
+  std::array<LogProduct, 3> too_bright_{};  // U0, one per rung of the mixture
+  std::array<LogProduct, 3> too_dark_{};    // D0
+  LogProduct not_darker_;                   // U1
+  LogProduct not_brighter_;                 // D1
 };
 
 }  // namespace fairlight

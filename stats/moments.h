@@ -26,6 +26,8 @@ class Moments {
   double maximum() const { return maximum_; }
   /// Sum of squared deviations from the mean.
   double squared_deviations() const { return m2_; }
+  /// Sum of their cubes.
+  double cubed_deviations() const { return m3_; }
 
   /// The unbiased variance of one draw. Throws std::logic_error with fewer than two draws.
   double variance() const;
