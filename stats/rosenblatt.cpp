@@ -16,17 +16,54 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 8>;
 constexpr int knots = 256;
-constexpr int pieces = 6;  // of the unit interval in t
 constexpr int order = 3;
+
+// The abscissas of the rule on the unit interval, and their weights in barycentric interpolation.
+// Source: Berrut and Trefethen 2004, "Barycentric Lagrange interpolation".
+struct Nodes {
+  std::array<double, Rosenblatt::nodes> at{}, weight{};
+
+  Nodes() {
+    for (std::size_t j = 0; j < at.size() / 2; ++j) {
+      const double half = Rule::abscissa()[j] / 2;
+      at[2 * j] = 0.5 - half;
+      at[2 * j + 1] = 0.5 + half;
+    }
+    for (std::size_t j = 0; j < at.size(); ++j) {
+      weight[j] = 1;
+      for (std::size_t i = 0; i < at.size(); ++i) weight[j] /= i == j ? 1 : at[j] - at[i];
+    }
+  }
+
+  // What the polynomial through values at the nodes, one for each, takes from each of them at x.
+  std::array<double, Rosenblatt::nodes> shares(double x) const {
+    std::array<double, Rosenblatt::nodes> share{};
+    double sum = 0;
+    for (std::size_t j = 0; j < at.size(); ++j) {
+      if (x == at[j]) {
+        share.fill(0);
+        share[j] = 1;
+        return share;
+      }
+      sum += share[j] = weight[j] / (x - at[j]);
+    }
+    for (double& each : share) each /= sum;
+    return share;
+  }
+};
+
+const Nodes& slab_nodes() {
+  static const Nodes nodes;
+  return nodes;
+}
 
 // All moments of one place, in the order of test_rosenblatt's channels.
 void moments_of(const Eigen::Vector2d& place, std::size_t i, std::vector<std::vector<double>>& channels) {
-  std::array<double, order> across{};
-  std::array<double, order> along{};
-  for (int j = 0; j < order; ++j) {
-    across[static_cast<std::size_t>(j)] = std::numbers::sqrt2 * std::cos((j + 1) * std::numbers::pi * place.x());
-    along[static_cast<std::size_t>(j)] = std::numbers::sqrt2 * std::cos((j + 1) * std::numbers::pi * place.y());
-  }
+  const auto waves = [](double x) {  // of cos(a): cos(2a) and cos(3a) by Chebyshev's polynomials
+    const double c = std::cos(std::numbers::pi * x), root = std::numbers::sqrt2;
+    return std::array<double, order>{root * c, root * (2 * c * c - 1), root * c * (4 * c * c - 3)};
+  };
+  const auto across = waves(place.x()), along = waves(place.y());
   std::size_t channel = 0;
   for (double a : across) channels[channel++][i] = a;
   for (double b : along) channels[channel++][i] = b;
@@ -43,29 +80,44 @@ Rosenblatt::Rosenblatt(SquareDensity density) : density_(std::move(density)) {
   for (int k = 0; k < knots; ++k) {
     const double low = double(k) / knots;
     const double high = double(k + 1) / knots;
-    const double mass = Rule::integrate([&](double s) { return marginal(s); }, low, high);
-    slabs_.push_back({sum, marginal(low + inside) / knots, marginal(high - inside) / knots, mass});
-    sum += mass;
+    Slab slab{sum, pieces_at(low + inside).back() / knots, pieces_at(high - inside).back() / knots, 0, {}};
+    for (std::size_t j = 0; j < nodes; ++j) {
+      slab.at_nodes[j] = pieces_at((k + slab_nodes().at[j]) / knots);
+      slab.mass += Rule::weights()[j / 2] / 2 * slab.at_nodes[j].back() / knots;
+    }
+    slabs_.push_back(slab);
+    sum += slab.mass;
   }
   if (!(std::abs(sum - 1) <= 1e-6)) {
     throw std::invalid_argument("the density integrates to " + std::to_string(sum) + " (a law to 1)");
   }
 }
 
-Rosenblatt::Strip Rosenblatt::strip(double s, double t) const {
-  const auto f = [&](double y) { return checked_density(density_(s, y), s, y); };
-  Strip strip{0, 0};
-  for (int k = 0; k < pieces; ++k) {
-    const double low = double(k) / pieces;
-    const double high = double(k + 1) / pieces;
-    const double piece = Rule::integrate(f, low, high);
-    strip.whole += piece;
-    strip.part += t >= high ? piece : t > low ? Rule::integrate(f, low, t) : 0;
-  }
-  return strip;
+// The integral of the density at s over [low, high].
+double Rosenblatt::integral(double s, double low, double high) const {
+  return Rule::integrate([&](double t) { return checked_density(density_(s, t), s, t); }, low, high);
 }
 
-double Rosenblatt::marginal(double s) const { return strip(s, 0).whole; }
+Rosenblatt::Pieces Rosenblatt::pieces_at(double s) const {
+  Pieces sums{};
+  double sum = 0;
+  for (std::size_t k = 0; k < pieces; ++k) {
+    sums[k] = sum += integral(s, double(k) / pieces, double(k + 1) / pieces);
+  }
+  return sums;
+}
+
+// Between the nodes of a slab by the polynomial through them; anew in the outermost slabs, as a density may end like a root there.
+Rosenblatt::Pieces Rosenblatt::tabulated_pieces(int knot, double s) const {
+  if (knot == 0 || knot == knots - 1) return pieces_at(s);
+  const Slab& slab = slabs_[static_cast<std::size_t>(knot)];
+  const auto shares = slab_nodes().shares(s * knots - knot);
+  Pieces sums{};
+  for (std::size_t j = 0; j < nodes; ++j) {
+    for (std::size_t k = 0; k < pieces; ++k) sums[k] += shares[j] * slab.at_nodes[j][k];
+  }
+  return sums;
+}
 
 // In a slab, the cubic that has its mass and, at its ends, its marginal (Hermite).
 Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
@@ -74,8 +126,11 @@ Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
   const double x = s * knots - knot;
   const double u = slab.before + slab.mass * x * x * (3 - 2 * x) + slab.first * x * (1 - x) * (1 - x) -
                    slab.last * x * x * (1 - x);
-  const Strip across = strip(s, t);
-  return {u, across.part / across.whole};
+  const Pieces sums = tabulated_pieces(knot, s);
+  const auto piece = std::min(static_cast<std::size_t>(t * pieces), pieces - 1);
+  const double low = double(piece) / pieces;
+  const double part = (piece > 0 ? sums[piece - 1] : 0) + (t > low ? integral(s, low, t) : 0);
+  return {u, part / sums.back()};
 }
 
 Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,

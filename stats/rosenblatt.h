@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -15,8 +16,8 @@ using SquareDensity = std::function<double(double s, double t)>;
 
 /// Rosenblatt's transform of a density on the unit square: (s, t) to (P(S <= s), P(T <= t | S = s)), which is
 /// uniform on the square exactly when (s, t) has that density. The marginal and its distribution function are tabulated
-/// at 256 knots, with a cubic between them; in t, eight-point Gauss rules integrate the density. So it should be smooth
-/// but at multiples of 1/256 in s and 1/6 in t. Source: Rosenblatt 1952.
+/// at 256 knots, with a cubic between them; in t, eight-point Gauss rules integrate the density, at eight places between two knots, with a
+/// polynomial through them. So it should be smooth but at multiples of 1/256 in s and 1/6 in t. Source: Rosenblatt 1952.
 class Rosenblatt {
  public:
   /// Throws std::invalid_argument when the density does not integrate to one within 1e-6.
@@ -24,19 +25,22 @@ class Rosenblatt {
 
   Eigen::Vector2d operator()(double s, double t) const;
 
+  static constexpr std::size_t nodes = 8;   ///< of a slab between two knots
+  static constexpr std::size_t pieces = 6;  ///< of the unit interval in t
+
  private:
-  // Between two knots: the distribution function at the first, and the marginal just inside both.
+  // At some s, the integrals of the density from 0 to the end of each piece.
+  using Pieces = std::array<double, pieces>;
+
+  // Between two knots: the distribution function at the first, the marginal just inside both, and what the nodes have.
   struct Slab {
     double before, first, last, mass;
+    std::array<Pieces, nodes> at_nodes;
   };
 
-  // At s, the integrals of the density over [0, t] and over [0, 1].
-  struct Strip {
-    double part, whole;
-  };
-
-  Strip strip(double s, double t) const;
-  double marginal(double s) const;
+  double integral(double s, double low, double high) const;
+  Pieces pieces_at(double s) const;
+  Pieces tabulated_pieces(int knot, double s) const;
 
   SquareDensity density_;
   std::vector<Slab> slabs_;
