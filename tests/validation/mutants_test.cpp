@@ -52,6 +52,14 @@ TEST(Mutants, LeaveAloneWhatIsNoArithmetic) {
   EXPECT_THAT(changes("template <class Real>"), IsEmpty());
   EXPECT_THAT(changes("if (!(a > b)) throw std::invalid_argument(\"\");"), IsEmpty());
   EXPECT_THAT(changes("if (!(a > b))\n  throw std::invalid_argument(\"\");"), IsEmpty());
+  EXPECT_THAT(
+      changes("inside = inside && a > b &&\n  c > d;\nif (!all(inside)) {\n  throw std::invalid_argument(\"\");"),
+      IsEmpty());
+}
+
+TEST(Mutants, ChangeMasksThatNoCheckIsAbout) {
+  EXPECT_THAT(changes("alive = alive && a > b;\nif (!all(right))\n  throw std::invalid_argument(\"\");\nx + y;"),
+              ElementsAre("alive = alive || a > b;", "alive = alive && a < b;", "x - y;"));
 }
 
 TEST(Mutants, AreNamedByTheirPlaceAndChange) {

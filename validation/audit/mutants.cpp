@@ -2,6 +2,7 @@
 #include <functional>
 #include <random>
 #include <regex>
+#include <set>
 
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/audit/mutants.h>
@@ -87,6 +88,37 @@ struct Line {
   std::string code, text;
 };
 
+bool throws(const Line& line) { return line.code.find("throw ") != std::string::npos; }
+
+// The masks that checks are about: what stands in a condition at or right above a throw.
+std::set<std::string> masks_of_checks(const std::vector<Line>& lines) {
+  static const std::regex mask(R"(\b(?:all|any)\((\w+)\b)");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!throws(lines[i]) && !(i + 1 < lines.size() && throws(lines[i + 1]))) continue;
+    for (std::sregex_iterator match(lines[i].code.begin(), lines[i].code.end(), mask), end; match != end; ++match)
+      names.insert((*match)[1]);
+  }
+  return names;
+}
+
+// Whether a line belongs to a check: it throws, or the next one does, or it adds to a mask that a check is about, as in
+// `inside = inside && ...`, until that statement ends.
+std::vector<bool> lines_of_checks(const std::vector<Line>& lines) {
+  static const std::regex addition(R"(\b(\w+) = \1 && )");
+  const std::set<std::string> masks = masks_of_checks(lines);
+  std::vector<bool> checks;
+  bool goes_on = false;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string& code = lines[i].code;
+    std::smatch match;
+    const bool adds = goes_on || (std::regex_search(code, match, addition) && masks.contains(match[1]));
+    goes_on = adds && !code.ends_with(';');
+    checks.push_back(adds || is_check(code) || (i + 1 < lines.size() && throws(lines[i + 1])));
+  }
+  return checks;
+}
+
 void add_mutants(std::vector<Mutant>& mutants, const std::string& file, const Line& line) {
   static const std::vector<Rule> rules = all_rules();
   for (const Rule& rule : rules) {
@@ -121,9 +153,9 @@ std::vector<Mutant> mutants_of(const std::string& file, const std::string& text)
     begin = end + 1;
   }
   std::vector<Mutant> mutants;
+  const std::vector<bool> checks = lines_of_checks(lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const bool throws_next = i + 1 < lines.size() && lines[i + 1].code.find("throw ") != std::string::npos;
-    if (!is_check(lines[i].code) && !throws_next) add_mutants(mutants, file, lines[i]);
+    if (!checks[i]) add_mutants(mutants, file, lines[i]);
   }
   std::ranges::stable_sort(mutants, {}, &Mutant::begin);
   return mutants;
