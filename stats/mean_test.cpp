@@ -11,20 +11,27 @@ namespace {
 
 bool open(const BettingTest& test) { return test.verdict() == Verdict::undecided; }
 
-// What the open tests are about: the next block, and when they will have their verdicts or lose patience.
+// The next block of the open tests; none where nothing is open, or one says `biased`.
+std::uint64_t next_block(const std::vector<BettingTest>& tests) {
+  if (std::ranges::any_of(tests, [](const BettingTest& t) { return t.verdict() == Verdict::biased; })) return 0;
+  std::uint64_t block = 0;
+  for (const BettingTest& test : tests) {
+    if (open(test)) block = block == 0 ? test.block_size() : std::min(block, test.block_size());
+  }
+  return block;
+}
+
+// When the open tests will have their verdicts, or lose patience.
 struct Plan {
-  std::uint64_t block = 0;  // none where nothing is open, or one says `biased`
   double patience = 0;
   double expected = 0;
 
   explicit Plan(const std::vector<BettingTest>& tests) {
     for (const BettingTest& test : tests) {
       if (!open(test)) continue;
-      block = block == 0 ? test.block_size() : std::min(block, test.block_size());
       patience = std::max(patience, test.patience());
       expected = std::max(expected, test.moments().count() > 1 ? test.expected_draws() : test.patience());
     }
-    if (std::ranges::any_of(tests, [](const BettingTest& t) { return t.verdict() == Verdict::biased; })) block = 0;
   }
 };
 
@@ -40,17 +47,22 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
   if (trial.evidence != nullptr) {
     for (const BettingTest& test : tests) trial.evidence->means.emplace_back(test);
   }
+  std::uint64_t looks = 0;  // after so many draws, and then after every 64th part of them
   for (std::uint64_t drawn = 0;;) {
-    const Plan plan(tests);
-    const auto n = static_cast<double>(drawn);
-    if (plan.block == 0) return {};
-    if (n > plan.patience) return "the cap on draws came first";
-    if (drawn > 0 && !goes_on(trial, n / std::max(plan.expected, 1.01 * n))) return told_to_end;
-    for (auto& channel : channels) channel.resize(plan.block);
+    const std::uint64_t block = next_block(tests);
+    if (block == 0) return {};
+    if (drawn >= looks) {
+      const Plan plan(tests);
+      const auto n = static_cast<double>(drawn);
+      if (n > plan.patience) return "the cap on draws came first";
+      if (drawn > 0 && !goes_on(trial, n / std::max(plan.expected, 1.01 * n))) return told_to_end;
+      looks = drawn + std::max<std::uint64_t>(drawn / 64, 1);
+    }
+    for (auto& channel : channels) channel.resize(block);
     draw_block(drawn, channels);
     for (std::size_t c = 0; c < tests.size(); ++c) tests[c].add(channels[c]);
     if (trial.evidence != nullptr) leave_evidence(*trial.evidence, tests);
-    drawn += plan.block;
+    drawn += block;
   }
 }
 
@@ -107,6 +119,15 @@ MeanHypothesis hypothesis_of(const Reference& r, double relative_margin) {
           r.rounding * r.scale};
 }
 
+std::vector<BettingTest> tests_of(const Trial& trial, const std::vector<Reference>& references) {
+  check_trial(trial);
+  if (references.empty()) throw std::invalid_argument("a test of means needs at least one reference");
+  std::vector<BettingTest> tests;
+  const double alpha = trial.alpha / static_cast<double>(references.size());
+  for (const Reference& r : references) tests.emplace_back(hypothesis_of(r, trial.margin), alpha, trial.beta);
+  return tests;
+}
+
 Finding finding_of(const BettingTest& test, const Reference& reference, double margin) {
   const Interval interval = test.interval();
   const auto relative = [&](double x) { return (x - reference.mean) / reference.scale; };
@@ -134,12 +155,19 @@ Finding worst_of(const std::vector<BettingTest>& tests, const std::vector<Refere
 
 }  // namespace
 
+double expected_draws(const Trial& trial, const std::vector<Reference>& references,
+                      const std::vector<std::vector<double>>& channels) {
+  std::vector<BettingTest> tests = tests_of(trial, references);
+  double expected = 0;
+  for (std::size_t c = 0; c < tests.size(); ++c) {
+    tests[c].add(channels[c]);
+    expected = std::max(expected, tests[c].expected_draws());
+  }
+  return expected;
+}
+
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block) {
-  check_trial(trial);
-  if (references.empty()) throw std::invalid_argument("a test of means needs at least one reference");
-  std::vector<BettingTest> tests;
-  const double alpha = trial.alpha / static_cast<double>(references.size());
-  for (const Reference& r : references) tests.emplace_back(hypothesis_of(r, trial.margin), alpha, trial.beta);
+  std::vector<BettingTest> tests = tests_of(trial, references);
   try {
     const std::string note = run(trial, tests, draw_block);
     Finding finding = worst_of(tests, references, trial.margin);

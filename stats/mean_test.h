@@ -31,6 +31,10 @@ using DrawBlock = std::function<void(std::uint64_t first, std::vector<std::vecto
 /// tested.
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block);
 
+/// About how many draws test_means takes of right code whose draws are like these, channels[c][i].
+double expected_draws(const Trial& trial, const std::vector<Reference>& references,
+                      const std::vector<std::vector<double>>& channels);
+
 /// The same for one channel whose draws come from `draw()`, one at a time, from a source that the caller seeds.
 template <class Draw>
 Finding test_mean(const Trial& trial, const Reference& reference, Draw&& draw) {

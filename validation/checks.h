@@ -12,11 +12,11 @@
 
 #include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/point_set.h>
-#include <fairlight/estimators/stream.h>
 #include <fairlight/stats/law_test.h>
 #include <fairlight/stats/mean_test.h>
 #include <fairlight/stats/rosenblatt.h>
 #include <fairlight/validation/claim.h>
+#include <fairlight/validation/recording.h>
 
 namespace fairlight {
 
@@ -70,26 +70,40 @@ std::vector<Reference> rounded_references(std::vector<Reference> references) {
   return references;
 }
 
-/// The mean of an estimator, one reference per channel: `draw(source)` gives a Real or an Rgb<Real>.
-template <class Real = double, class Draw>
-Finding check_mean(const Trial& trial, const std::vector<Reference>& references, const Draw& draw) {
-  const StreamKey key(trial.seed, trial.claim);
-  // Where the range is wide the test asks for single draws: a packet then serves as many of its blocks as it has lanes.
-  std::vector<std::array<double, lanes<Real>>> packet(references.size());
-  std::uint64_t made = std::numeric_limits<std::uint64_t>::max();
-  const auto draw_block = [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+/// Draws that are made lanes<Real> at a time: `make(first, values)` gives values[c][i], channel c of draw first + i. Where the range
+/// is wide a test asks for single draws: a packet then serves as many of its blocks as it has lanes.
+template <class Real, class Make>
+DrawBlock draws_at_once(std::size_t channel_count, const Make& make) {
+  using Values = std::vector<std::array<double, lanes<Real>>>;
+  return [make, values = Values(channel_count), made = std::numeric_limits<std::uint64_t>::max()](
+             std::uint64_t first, std::vector<std::vector<double>>& channels) mutable {
     for (std::size_t i = 0; i < channels[0].size(); ++i) {
       const std::uint64_t number = (first + i) / lanes<Real>;
       if (number != made) {
         made = number;
-        PhiloxStream<Real> source(key, 0, lanes<Real> * number);
-        const auto x = draw(source);
-        for (std::size_t c = 0; c < channels.size(); ++c) store_lanes(detail::channel_of(x, c), packet[c].data());
+        make(lanes<Real> * number, values);
       }
-      for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = packet[c][(first + i) % lanes<Real>];
+      for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = values[c][(first + i) % lanes<Real>];
     }
   };
-  return test_means(trial, rounded_references<Real>(references), draw_block);
+}
+
+/// Those of an estimator from independent numbers: `draw(source)` gives a Real or an Rgb<Real>.
+template <class Real, class Draw>
+DrawBlock independent_draws(const StreamKey& key, std::size_t channel_count, const Draw& draw) {
+  return draws_at_once<Real>(channel_count, [key, draw](std::uint64_t first, auto& values) {
+    StreamNumbers<Real> source(key, first);
+    const auto x = draw(source);
+    for (std::size_t c = 0; c < values.size(); ++c) store_lanes(detail::channel_of(x, c), values[c].data());
+  });
+}
+
+/// The mean of an estimator, one reference per channel.
+template <class Real = double, class Draw>
+Finding check_mean(const Trial& trial, const std::vector<Reference>& references, const Draw& draw) {
+  const StreamKey key(trial.seed, trial.claim);
+  return test_means(trial, rounded_references<Real>(references),
+                    independent_draws<Real>(key, references.size(), draw));
 }
 
 /// How many points a replicate has that is tested: a power of two, for Sobol's points to be a net, and few, since

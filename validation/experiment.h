@@ -7,7 +7,7 @@
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/along_packets.h>
 
 namespace fairlight {
 
@@ -48,6 +48,7 @@ Claim mean_claim(const Experiment<Draw>& e) {
           .margin_factor = e.margin_factor,
           .check =
               [e](const Trial& trial) {
+                if constexpr (lanes<Real> == 1) return check_mean_in_double(trial, e.references, e.draw);
                 return check_mean<Real>(trial, e.references,
                                         [&](auto& source) { return e.draw(std::type_identity<Real>{}, source); });
               },

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/sphere_light.h>
 #include <fairlight/stats/domains.h>
@@ -88,6 +90,21 @@ std::vector<Reference> mean_coordinates(const Law& law, const Domain& domain) {
           reference(mean([](double s, double t) { return s * t; }))};
 }
 
+/// The coordinates s, t and s t of a packet of points, lane by lane.
+template <class Domain, class Point>
+Rgb<Packet> coordinates_and_product(const Domain& domain, const Point& points) {
+  std::array<std::array<double, lanes<Packet>>, 3> numbers{};
+  for (std::size_t i = 0; i < lanes<Packet>; ++i) {
+    const Eigen::Vector2d place = domain.coordinates(detail::lane_of(points, i));
+    numbers[0][i] = place.x();
+    numbers[1][i] = place.y();
+    numbers[2][i] = place.x() * place.y();
+  }
+  Rgb<Packet> packets;
+  for (Eigen::Index c = 0; c < 3; ++c) load_lanes(numbers[static_cast<std::size_t>(c)].data(), packets[c]);
+  return packets;
+}
+
 /// From the points of a set, whole replicates being the draws: their mean coordinates are those of the density.
 template <template <class> class Set, class Make, class Domain>
 Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetKind<Set>& points) {
@@ -97,16 +114,17 @@ Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetK
           .statement = "over the points of a replicate, the draws have the mean coordinates of the stated density",
           .source = e.source,
           .margin_factor = 2,
-          .check = [e](const Trial& trial) {
-            const auto law = e.template law<double>();
-            return check_replicates<Set<double>>(
-                trial, mean_coordinates(law, e.domain),
-                [&](auto& source) {
-                  const Eigen::Vector2d place = e.domain.coordinates(law.sample(next_pair<double>(source)));
-                  return Rgb<double>(place.x(), place.y(), place.x() * place.y());
-                },
-                points_a_replicate);
-          }};
+          .check =
+              [e](const Trial& trial) {
+                const auto law = e.template law<Packet>();
+                return check_replicates<Set<Packet>>(
+                    trial, mean_coordinates(e.template law<double>(), e.domain),
+                    [&](auto& source) {
+                      return coordinates_and_product(e.domain, law.sample(next_pair<Packet>(source)));
+                    },
+                    points_a_replicate);
+              },
+          .real = real_name<Packet>()};
 }
 
 /// All of them.

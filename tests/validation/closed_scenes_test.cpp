@@ -46,6 +46,32 @@ TEST(ClosedScene, ShowsOneSurfaceToItsCamera) {
   }
 }
 
+// What reflects all is not seen, pixel for pixel; a little less is.
+TEST(WhiteSky, ShowsNothingButTheSky) {
+  for (const char* real : {"double", "packet"}) {
+    RenderSettings settings;
+    settings.real = real;
+    settings.direct = "none";
+    ClosedScene scene = white_sky();
+    RenderedPixels draws(scene.view, settings, StreamKey(1, "white"));
+    for (std::uint64_t i = 0; i < 1024; ++i) EXPECT_TRUE(draws.at(i).isApprox(scene.radiance(-1), 1e-5)) << i;
+    scene.view.scene.add_sphere({0, 0, 3}, 0.5, Rgb<double>(0.9, 0.9, 0.9), Rgb<double>(0, 0, 0));
+    RenderedPixels seen(scene.view, settings, StreamKey(1, "grey"));
+    EXPECT_TRUE((seen.at(16 * 32 + 16) < 0.91 * scene.radiance(-1)).all());
+  }
+}
+
+TEST(RenderedPixels, AreMeansOfAsManySamplesAsTheyAreToldTo) {
+  RenderSettings settings;
+  settings.max_depth = 2;
+  settings.filter = "box";
+  const View view = concentric_spheres().view;
+  const StreamKey key(1, "many");
+  RenderedPixels two(view, settings, key, 2), one(view, settings, key);
+  const Rgb<double> mean = (one.at(7) + one.at(1024 + 7)) / 2;
+  EXPECT_TRUE(two.at(7).isApprox(mean, 1e-12));
+}
+
 TEST(RenderedPixels, AreThoseOfTheirKeyAndNumber) {
   RenderSettings settings;
   settings.max_depth = 2;

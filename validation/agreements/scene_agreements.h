@@ -2,6 +2,7 @@
 
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
+#include <fairlight/validation/along_packets.h>
 #include <fairlight/validation/padded_sets.h>
 #include <fairlight/validation/radiance.h>
 
@@ -46,32 +47,6 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
                     draw};
 }
 
-/// The numbers of a packet's stream, kept, so that each lane can be followed once more, alone and in double.
-class Recording {
- public:
-  explicit Recording(PhiloxStream<Packet>& stream) : stream_(stream) {}
-
-  struct Lanes {
-    Packet next() { return recording.number(dimension++); }
-    Recording& recording;
-    std::size_t dimension = 0;
-  };
-  struct Lane {
-    double next() { return detail::lane_of(recording.number(dimension++), lane); }
-    Recording& recording;
-    std::size_t lane;
-    std::size_t dimension = 0;
-  };
-
- private:
-  const Packet& number(std::size_t dimension) {
-    while (numbers_.size() <= dimension) numbers_.push_back(stream_.next());
-    return numbers_[dimension];
-  }
-  PhiloxStream<Packet>& stream_;
-  std::vector<Packet> numbers_;
-};
-
 /// A square of a picture, of which (0,0) is the upper left corner and (1,1) the lower right one.
 struct PictureSquare {
   double left = 0, top = 0, side = 1;
@@ -87,25 +62,12 @@ inline constexpr PictureSquare around_the_light_of_cornell_simple{0.48, 0.2775, 
 template <class Part>
 Claim floats_against_double(const std::string& name, const View& view, double largest, double mean, Part part,
                             const PictureSquare& square = {}) {
-  const auto along_a_ray = [camera = view.camera, part, square](auto real, auto source) {
-    using Real = typename decltype(real)::type;
+  const auto draw = [camera = view.camera, part, square]<class Real>(std::type_identity<Real> real, auto& source) {
     const Vec2<Real> place = next_pair<Real>(source);
     const Real x = rounded<Real>(square.left) + rounded<Real>(square.side) * place.x();
     const Real y = rounded<Real>(square.top) + rounded<Real>(square.side) * place.y();
-    return part(real, camera.template ray<Real>(x, y, 1, 1, source), source);
-  };
-  const auto difference = [along_a_ray, square](PhiloxStream<Packet>& stream) {
-    Recording recording(stream);
-    const Packet in_floats = along_a_ray(std::type_identity<Packet>{}, Recording::Lanes{recording});
-    std::array<double, lanes<Packet>> differences{};
-    store_lanes(in_floats, differences.data());
-    for (std::size_t i = 0; i < lanes<Packet>; ++i) {
-      differences[i] -= along_a_ray(std::type_identity<double>{}, Recording::Lane{recording, i});
-      differences[i] *= square.side * square.side;
-    }
-    Packet result;
-    load_lanes(differences.data(), result);
-    return result;
+    return Real(rounded<Real>(square.side * square.side) *
+                part(real, camera.template ray<Real>(x, y, 1, 1, source), source));
   };
   largest *= square.side * square.side;
   return {.name = name,
@@ -116,7 +78,8 @@ Claim floats_against_double(const std::string& name, const View& view, double la
           .margin_factor = 1,
           .check =
               [=](const Trial& trial) {
-                return check_mean<Packet>(trial, {{0, -largest, largest, 0, mean}}, difference);
+                return test_means(trial, {{0, -largest, largest, 0, mean}},
+                                  less_packets(StreamKey(trial.seed, trial.claim), {infinity<double>}, draw));
               },
           .real = "packet"};
 }

@@ -85,6 +85,33 @@ inline ClosedScene lit_box() {
   return {{"lit_box", scene, camera}, reference, 18 * albedo * radiance};
 }
 
+/// Under a sky of one radiance what reflects all light is not seen: a white ball, a mirror and glass, which light each other too, show Le as
+/// the sky does (the white furnace). By bounces alone, as long as they go: every path ends in the sky, with all that it left with.
+/// Bound: that of the sky itself, as no path brings more or less.
+/// Source: reciprocity and conservation of energy; Veach 1997, 6.3
+inline ClosedScene white_sky() {
+  const Rgb<double> none(0, 0, 0), white(1, 1, 1), radiance(1, 2, 0.5);
+  Scene scene;
+  scene.add_sphere({0, 0, 0}, 16, none, radiance);
+  scene.add_sphere({-2.2, 0, 0}, 1, white, none);
+  scene.add_sphere({0, 0.3, -1}, 1, Material(Material::Kind::mirror, white, 1), none);
+  scene.add_sphere({2.2, -0.2, 0.5}, 1, Material(Material::Kind::glass, white, 1.5), none);
+  const Camera camera({.eye = {0, 0, 6}, .look = {0, 0, -1}, .focus_distance = 6});
+  return {{"white_sky", scene, camera}, [=](int) { return radiance; }, {0, 0, 0}};
+}
+
+/// The ball alone, which is convex, so that one bounce is all.
+/// Bound: by cone, which is all directions, a shadow ray brings 4 Le; by area 4 R^2 Le / (R - r)^2 < 5 Le.
+/// Source: as above; the irradiance under a constant sky is pi Le
+inline ClosedScene white_ball() {
+  const Rgb<double> none(0, 0, 0), radiance(1, 2, 0.5);
+  Scene scene;
+  scene.add_sphere({0, 0, 0}, 16, none, radiance);
+  scene.add_sphere({0, 0, 0}, 1, Rgb<double>(1, 1, 1), none);
+  const Camera camera({.eye = {0, 0, 4}, .look = {0, 0, -1}, .focus_distance = 3});
+  return {{"white_ball", scene, camera}, [=](int) { return radiance; }, 5 * radiance};
+}
+
 /// Paths of three bounces in the box, where every vertex lies on a luminaire, wherever the camera looks: what goes wrong there is rounding, and small.
 /// Bound: at each vertex all faces bring 2 rho Le at most, and a bounce that shares the light with them rho Le.
 template <class Direct>

@@ -11,12 +11,15 @@
 
 namespace fairlight {
 
-/// The pixels of small pictures of one radiance, one picture after the other, as the draws of its estimator: each of one sample, or of one
-/// set. A picture that the renderer refuses, for a sample that is no radiance, is not a number.
+/// The pixels of small pictures of one radiance, one picture after the other, as the draws of its estimator: each of so many sets of samples,
+/// a set being one sample where they are independent. A picture that the renderer refuses, for a sample that is no radiance, is not a number.
 class RenderedPixels {
  public:
-  RenderedPixels(const View& view, const RenderSettings& settings, const StreamKey& key)
-      : view_(view), settings_(settings), seed_(std::uint64_t{key.words()[1]} << 32 | key.words()[0]) {}
+  RenderedPixels(const View& view, const RenderSettings& settings, const StreamKey& key, std::uint32_t sets = 1)
+      : view_(view),
+        settings_(settings),
+        seed_(std::uint64_t{key.words()[1]} << 32 | key.words()[0]),
+        samples_(sets * settings.points) {}
 
   Rgb<double> at(std::uint64_t draw) {
     if (draw / pixels != picture_) render(draw / pixels);
@@ -33,9 +36,9 @@ class RenderedPixels {
     picture_ = picture;
     refused_ = false;
     film_ = Film(side, side);
-    const std::uint64_t first = picture * settings_.points;
+    const std::uint64_t first = picture * samples_;
     try {
-      render_image(view_, settings_, seed_, {first, first + settings_.points}, 1, film_, {});
+      render_image(view_, settings_, seed_, {first, first + samples_}, 1, film_, {});
     } catch (const std::domain_error&) {
       refused_ = true;
     }
@@ -44,6 +47,7 @@ class RenderedPixels {
   View view_;
   RenderSettings settings_;
   std::uint64_t seed_;
+  std::uint64_t samples_;
   std::uint64_t picture_ = std::numeric_limits<std::uint64_t>::max();
   bool refused_ = false;
   Film film_{side, side};
@@ -67,8 +71,10 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
 }
 
 /// The renderer itself, by its settings: the pixels of a picture of a closed scene have its radiance as their mean. Strategies that do not fit
-/// together are off by factors, so the margin is wide; what is small is the components', whose margins are narrow.
-inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& settings) {
+/// together are off by factors, so the margin is wide; what is small is the components', whose margins are narrow. A pixel of any number of
+/// sets has the same mean.
+inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& settings, double margin_factor = 30,
+                               std::uint32_t sets = 1) {
   const bool shadow_rays = settings.direct != "none";
   const std::string search = shadow_rays
                                  ? formatted("%s.%s", settings.light_sampling.c_str(), settings.which_light.c_str())
@@ -76,19 +82,20 @@ inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& s
   const std::string others =
       formatted("roulette %s, %s numbers, a %s filter and a %s", settings.roulette.c_str(), settings.random.c_str(),
                 settings.filter.c_str(), settings.aperture > 0 ? "lens" : "pinhole");
-  return {.name = formatted("%s.%s.%s.%s%s", scene.view.name.c_str(), settings.bounce.c_str(),
-                            settings.direct.c_str(), search.c_str(), settings.real == "packet" ? ".packet" : ""),
+  return {.name = formatted("%s.%s.%s.%s%s%s", scene.view.name.c_str(), settings.bounce.c_str(),
+                            settings.direct.c_str(), search.c_str(), sets > 1 ? formatted(".%u", sets).c_str() : "",
+                            settings.real == "packet" ? ".packet" : ""),
           .kind = "mean",
           .subjects = {"PathTracer", shadow_rays ? "DirectLight" : "NoDirectLight"},
           .statement = formatted("by %s, the pixels of a picture show the closed form, of depth %d, per channel",
                                  others.c_str(), settings.max_depth),
           .source = "balance of what surfaces emit and reflect, depth by depth; Goral et al. 1984",
-          .margin_factor = 30,
+          .margin_factor = margin_factor,
           .check =
               [=](const Trial& trial) {
                 const auto references = references_of(scene, settings);
                 RenderedPixels draws(with_camera_of(settings, scene.view), settings,
-                                     StreamKey(trial.seed, trial.claim));
+                                     StreamKey(trial.seed, trial.claim), sets);
                 return test_means(trial,
                                   settings.real == "packet" ? rounded_references<Packet>(references)
                                                             : rounded_references<double>(references),

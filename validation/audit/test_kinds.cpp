@@ -10,6 +10,7 @@
 #include <fairlight/stats/rosenblatt.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/sequential_t_test.h>
+#include <fairlight/validation/along_packets.h>
 #include <fairlight/validation/audit/ledger_audit.h>
 #include <fairlight/validation/audit/test_kinds.h>
 
@@ -69,6 +70,17 @@ TestKind difference() {
             const Numbers u(trial);
             const auto draw = [=](std::uint64_t i, std::uint32_t) { return 2 * u(i) * (1 + bias) - 2 * u(i, 1); };
             return test_means(trial, {{0, -2, 2.5, 0, 1}}, block_of(draw));
+          }};
+}
+
+// In double, along packets: each part has as much of the bias as of the margin.
+TestKind along_packets() {
+  return {"betting.along_packets", false, [](const Trial& trial, double bias) {
+            const auto draw = [bias]<class Real>(std::type_identity<Real>, auto& source) {
+              const double share = lanes<Real> > 1 ? detail::share_of_packets : 1;
+              return Real(rounded<Real>(2 * (1 + share * bias)) * source.next());
+            };
+            return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding();
           }};
 }
 
@@ -231,8 +243,8 @@ std::vector<TestKind> build() {
   std::vector<TestKind> kinds;
   for (const CostLaw& law : cost_laws()) kinds.push_back(betting(law));
   for (const auto& make :
-       {one_sided, not_below, channels, difference, student, welch, counts, two_cells, density, kolmogorov,
-        moments_of_the_law, variance, variance_at_most, correlation, replicates, account}) {
+       {one_sided, not_below, channels, difference, along_packets, student, welch, counts, two_cells, density,
+        kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates, account}) {
     kinds.push_back(make());
   }
   return kinds;
