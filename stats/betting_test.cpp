@@ -246,25 +246,30 @@ double BettingTest::evidence(double candidate, bool above) const {
   return log_mixture(wealth) - std::log(mixture_weights[0] / beta_);
 }
 
-// An end is looked for near what the draws say, as it is seldom farther off than a few margins.
-Interval BettingTest::interval() const {
+// An end is mostly between the mean of the draws and a few margins from it; else it is looked for up to the bound, and as far
+// the other way as the bets can be paid.
+double BettingTest::end_of_interval(bool above) const {
   const auto& h = hypothesis_;
-  const auto end = [this](double proven, double open, bool above) {
-    const auto excess = [&](double candidate) { return evidence(candidate, above); };
-    if (excess(proven) < 0) return proven;
-    if (excess(open) >= 0) return open;
-    const double near = std::clamp(moments_.mean() - (above ? 4 : -4) * hypothesis_.margin, std::min(proven, open),
-                                   std::max(proven, open));
-    (excess(near) < 0 ? open : proven) = near;
-    std::uintmax_t iterations = 100;
-    const auto bracket =
-        boost::math::tools::toms748_solve(excess, std::min(proven, open), std::max(proven, open),
-                                          boost::math::tools::eps_tolerance<double>(30), iterations);
-    return above ? bracket.first : bracket.second;
-  };
-  const double highest = h.lower + (h.mean - h.lower) / (1.05 * largest_stake);
-  const double lowest = h.upper - (h.upper - h.mean) / (1.05 * largest_stake);
-  return {end(h.lower, highest, true), end(h.upper, lowest, false)};
+  const double sign = above ? 1 : -1, bound = above ? h.lower : h.upper;
+  const double limit = bound + (h.mean - bound) / (1.05 * largest_stake);
+  const auto excess = [&](double candidate) { return evidence(candidate, above); };
+  double open = above ? std::min(moments_.mean(), limit) : std::max(moments_.mean(), limit);
+  double at_open = excess(open);
+  if (at_open >= 0) at_open = excess(open = limit);
+  if (at_open >= 0) return limit;
+  double proven = open - 4 * sign * h.margin;
+  if (sign * (proven - bound) < 0) proven = bound;
+  double at_proven = excess(proven);
+  if (at_proven < 0) at_proven = excess(proven = bound);
+  if (at_proven < 0) return bound;
+  const double low = std::min(open, proven), high = std::max(open, proven);
+  std::uintmax_t iterations = 100;
+  const auto near_enough = [&](double a, double b) { return b - a < 1e-4 * h.margin; };
+  const auto bracket = boost::math::tools::toms748_solve(excess, low, high, above ? at_proven : at_open,
+                                                         above ? at_open : at_proven, near_enough, iterations);
+  return above ? bracket.first : bracket.second;
 }
+
+Interval BettingTest::interval() const { return {end_of_interval(true), end_of_interval(false)}; }
 
 }  // namespace fairlight

@@ -124,6 +124,7 @@ class BettingTest {
   Gains refute(const Block& block, double bet) const;
   Gains certify(const Block& block, double bet, double margin) const;
   double evidence(double candidate, bool above) const;
+  double end_of_interval(bool above) const;
   void decide();
 
   MeanHypothesis hypothesis_;

@@ -55,9 +55,10 @@ struct Evidence {
   };
 
   std::vector<Cells> laws;
-  std::vector<Course> means;  ///< one a channel
+  std::vector<Course>
+      means;  ///< one a channel; of a mean in two parts, those of the first and then those of the second
   Tiles tiles;
-  Ladder ladder;  ///< the same channels as the means, for an account of many runs
+  Ladder ladder;  ///< one a channel, for an account of many runs
 
   /// Who wants the draws of a test of means themselves: told at its end what was claimed of them, where they come from, and how many
   /// the test took. Those, and any beyond, may be drawn again while it listens, where a draw is a function of its number.

@@ -5,7 +5,7 @@
 namespace fairlight {
 
 /// The logarithm of a product of positive factors, in a tenth of the time that a sum of their logarithms takes: a product above 9e99 or
-/// below its inverse is brought back by a power of two, so no factor of 1e-200 to 1e200 makes it leave the range of a double.
+/// below its inverse is brought back by a power of two, so no factors of 1e-99 to 1e99 make it leave the range of a double.
 class LogProduct {
  public:
   void multiply(double factor) {

@@ -140,10 +140,11 @@ Finding finding_of(const BettingTest& test, const Reference& reference, double m
           reference.rounding};
 }
 
-Finding worst_of(const std::vector<BettingTest>& tests, const std::vector<Reference>& references, double margin) {
-  Finding worst = finding_of(tests[0], references[0], margin);
-  for (std::size_t c = 1; c < tests.size(); ++c) {
-    const Finding finding = finding_of(tests[c], references[c], margin);
+}  // namespace
+
+Finding worst_of(const std::vector<Finding>& channels) {
+  Finding worst = channels.at(0);
+  for (const Finding& finding : channels) {
     const Verdict verdict = worse(worst.verdict, finding.verdict);
     const std::uint64_t draws = std::max(worst.draws, finding.draws);
     if (std::abs(finding.bias) > std::abs(worst.bias)) worst = finding;
@@ -152,8 +153,6 @@ Finding worst_of(const std::vector<BettingTest>& tests, const std::vector<Refere
   }
   return worst;
 }
-
-}  // namespace
 
 double expected_draws(const Trial& trial, const std::vector<Reference>& references,
                       const std::vector<std::vector<double>>& channels) {
@@ -166,15 +165,19 @@ double expected_draws(const Trial& trial, const std::vector<Reference>& referenc
   return expected;
 }
 
-Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block) {
+std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Reference>& references,
+                                    const DrawBlock& draw_block) {
   std::vector<BettingTest> tests = tests_of(trial, references);
   try {
     const std::string note = run(trial, tests, draw_block);
-    Finding finding = worst_of(tests, references, trial.margin);
-    if (!note.empty()) finding.note = note;
+    std::vector<Finding> findings;
+    for (std::size_t c = 0; c < tests.size(); ++c) {
+      findings.push_back(with_token(trial, finding_of(tests[c], references[c], trial.margin)));
+      findings.back().note = note;
+    }
     if (trial.evidence != nullptr) leave_ladder(trial, ladder_of(trial, tests, references));
-    tell_listener(trial, references, draw_block, finding.draws);
-    return with_token(trial, finding);
+    tell_listener(trial, references, draw_block, worst_of(findings).draws);
+    return findings;
   } catch (const BadDraw& bad) {
     Finding finding{Verdict::biased, Guarantee::exact, trial.margin};
     finding.bias = rough_bias(references, draw_block);
@@ -182,8 +185,12 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
     finding.note = bad.what();
     leave_ladder(trial, refuted_ladder(trial.margin, references.size()));
     tell_listener(trial, references, draw_block, finding.draws);
-    return with_token(trial, finding);
+    return std::vector(references.size(), with_token(trial, finding));
   }
+}
+
+Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block) {
+  return worst_of(test_each_mean(trial, references, draw_block));
 }
 
 }  // namespace fairlight

@@ -31,6 +31,13 @@ using DrawBlock = std::function<void(std::uint64_t first, std::vector<std::vecto
 /// tested.
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block);
 
+/// The same, channel by channel. Where a draw is out of its range, which ends the test, all have the finding that says so.
+std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Reference>& references,
+                                    const DrawBlock& draw_block);
+
+/// What the channels of a claim say together: the finding of the largest bias, with the worst verdict and the most draws.
+Finding worst_of(const std::vector<Finding>& channels);
+
 /// About how many draws test_means takes of right code whose draws are like these, channels[c][i].
 double expected_draws(const Trial& trial, const std::vector<Reference>& references,
                       const std::vector<std::vector<double>>& channels);

@@ -52,6 +52,14 @@ struct Nodes {
   }
 };
 
+// Whether integrals are the same to a tenth of what all of the quadrature may be off by, relative to the last, the whole.
+bool agree(const std::array<double, Rosenblatt::pieces>& a, const std::array<double, Rosenblatt::pieces>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (!(std::abs(a[k] - b[k]) <= 1e-7 * b.back())) return false;
+  }
+  return true;
+}
+
 const Nodes& slab_nodes() {
   static const Nodes nodes;
   return nodes;
@@ -80,11 +88,12 @@ Rosenblatt::Rosenblatt(SquareDensity density) : density_(std::move(density)) {
   for (int k = 0; k < knots; ++k) {
     const double low = double(k) / knots;
     const double high = double(k + 1) / knots;
-    Slab slab{sum, pieces_at(low + inside).back() / knots, pieces_at(high - inside).back() / knots, 0, {}};
+    Slab slab{sum, pieces_at(low + inside).back() / knots, pieces_at(high - inside).back() / knots, 0, {}, false};
     for (std::size_t j = 0; j < nodes; ++j) {
       slab.at_nodes[j] = pieces_at((k + slab_nodes().at[j]) / knots);
       slab.mass += Rule::weights()[j / 2] / 2 * slab.at_nodes[j].back() / knots;
     }
+    slab.smooth = k > 0 && k + 1 < knots && agree(interpolated(slab, 0.5), pieces_at((k + 0.5) / knots));
     slabs_.push_back(slab);
     sum += slab.mass;
   }
@@ -107,11 +116,9 @@ Rosenblatt::Pieces Rosenblatt::pieces_at(double s) const {
   return sums;
 }
 
-// Between the nodes of a slab by the polynomial through them; anew in the outermost slabs, as a density may end like a root there.
-Rosenblatt::Pieces Rosenblatt::tabulated_pieces(int knot, double s) const {
-  if (knot == 0 || knot == knots - 1) return pieces_at(s);
-  const Slab& slab = slabs_[static_cast<std::size_t>(knot)];
-  const auto shares = slab_nodes().shares(s * knots - knot);
+// By the polynomial through what the nodes have; x is the place in the slab, in [0,1].
+Rosenblatt::Pieces Rosenblatt::interpolated(const Slab& slab, double x) {
+  const auto shares = slab_nodes().shares(x);
   Pieces sums{};
   for (std::size_t j = 0; j < nodes; ++j) {
     for (std::size_t k = 0; k < pieces; ++k) sums[k] += shares[j] * slab.at_nodes[j][k];
@@ -126,7 +133,7 @@ Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
   const double x = s * knots - knot;
   const double u = slab.before + slab.mass * x * x * (3 - 2 * x) + slab.first * x * (1 - x) * (1 - x) -
                    slab.last * x * x * (1 - x);
-  const Pieces sums = tabulated_pieces(knot, s);
+  const Pieces sums = slab.smooth ? interpolated(slab, x) : pieces_at(s);
   const auto piece = std::min(static_cast<std::size_t>(t * pieces), pieces - 1);
   const double low = double(piece) / pieces;
   const double part = (piece > 0 ? sums[piece - 1] : 0) + (t > low ? integral(s, low, t) : 0);

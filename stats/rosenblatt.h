@@ -36,11 +36,13 @@ class Rosenblatt {
   struct Slab {
     double before, first, last, mass;
     std::array<Pieces, nodes> at_nodes;
+    bool
+        smooth;  ///< whether a polynomial has what is between the nodes; at the ends, where a density may end like a root, nobody relies on it
   };
 
   double integral(double s, double low, double high) const;
   Pieces pieces_at(double s) const;
-  Pieces tabulated_pieces(int knot, double s) const;
+  static Pieces interpolated(const Slab& slab, double x);
 
   SquareDensity density_;
   std::vector<Slab> slabs_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <fairlight/stats/evidence.h>
@@ -7,11 +8,24 @@
 
 namespace fairlight {
 
-/// What draws in double have more than those in packets, lane by lane from the same numbers: `draw(type_identity<Real>, source)`. What a
-/// channel, of which there are as many, has above its `most` does not count.
+namespace detail {
+
+/// Throws BadDraw where a draw is out of the range that its reference declares.
+inline void require_in_range(std::uint64_t draw, double value, const Reference& reference) {
+  if (!std::isfinite(value)) throw BadDraw(draw, value, "in double, not a finite number");
+  if (value < reference.lower) throw BadDraw(draw, value, "in double, below its declared lower bound");
+  if (value > reference.upper && reference.tail_slack == 0)
+    throw BadDraw(draw, value, "in double, above its declared upper bound");
+}
+
+}  // namespace detail
+
+/// What draws in double, of these references, have more than those in packets, lane by lane from the same numbers:
+/// `draw(type_identity<Real>, source)`. Where there is a tail, what is above the bound does not count. Throws BadDraw for a draw in
+/// double that is out of its range.
 template <class Draw>
-DrawBlock less_packets(const StreamKey& key, const std::vector<double>& most, const Draw& draw) {
-  return draws_at_once<Packet>(most.size(), [key, most, draw](std::uint64_t first, auto& values) {
+DrawBlock less_packets(const StreamKey& key, const std::vector<Reference>& references, const Draw& draw) {
+  return draws_at_once<Packet>(references.size(), [key, references, draw](std::uint64_t first, auto& values) {
     Recording recording(key, first);
     StreamNumbers<Packet> numbers(recording);
     const auto floats = draw(std::type_identity<Packet>{}, numbers);
@@ -21,23 +35,22 @@ DrawBlock less_packets(const StreamKey& key, const std::vector<double>& most, co
       const auto doubles = draw(std::type_identity<double>{}, finer_numbers);
       for (std::size_t c = 0; c < values.size(); ++c) {
         const double in_double = detail::channel_of(doubles, c);
-        values[c][i] = std::min(in_double, most[c]) -
-                       std::min(values[c][i], most[c]);  // of what is no number neither is the least
+        detail::require_in_range(first + i, in_double, references[c]);
+        const double most = references[c].tail_slack > 0 ? references[c].upper : infinity<double>;
+        values[c][i] = std::min(in_double, most) - std::min(values[c][i], most);
       }
     }
   });
 }
 
-/// A mean in double, most of it seen in packets: E[double] = E[packet] + E[double - packet]. Packets draw some ten times as fast, and
-/// along the same numbers the difference is next to nothing, so that few draws show its mean. Both parts must be certified, each
-/// to a share of the margin, and each has half of alpha.
-/// Source   Hammersley and Handscomb 1964, 5.5 (the control variate)
-
 namespace detail {
 
-/// The packets' share of the margin. What is left of a margin of 1e-4 is four times the rounding of floats, the least that a test
-/// by betting takes.
-inline constexpr double share_of_packets = 0.79;
+/// The shares of the margin: of the mean in packets, and of the difference. What the latter has of a margin of 1e-4 is four times the
+/// rounding of floats, the least that a test by betting takes. A thousandth is left for tails.
+inline constexpr double share_of_packets = 0.79, share_of_difference = 0.209;
+
+/// The most that a tail may hide of a margin: the thousandth, at a margin 45 times as fine, which is the finest that a run leaves evidence for.
+inline constexpr double most_in_tail = 2e-5;
 
 /// References to which the trial's margin is a share of what it was, and a bias so much more.
 inline std::vector<Reference> with_share(std::vector<Reference> references, double share) {
@@ -48,29 +61,19 @@ inline std::vector<Reference> with_share(std::vector<Reference> references, doub
   return references;
 }
 
-/// Above it what a channel has does not count for the difference: where a tail is beyond the bound, its mean is the slack at most.
-inline std::vector<double> most_of(const std::vector<Reference>& references) {
-  std::vector<double> most;
-  for (const Reference& r : references) most.push_back(r.tail_slack > 0 ? r.upper : infinity<double>);
-  return most;
-}
-
-/// Of the difference of a draw in double from one in packets, where both have these references. Tails may hide twice their slack, which the
-/// margin is narrowed by, and is no bias.
-inline std::vector<Reference> of_difference(const std::vector<Reference>& references, double margin) {
+/// Of the difference of a draw in double from one in packets, where both have these references.
+inline std::vector<Reference> of_difference(const std::vector<Reference>& references) {
   const std::vector<Reference> packets = rounded_references<Packet>(references);
   std::vector<Reference> differences;
   for (std::size_t c = 0; c < references.size(); ++c) {
     const Reference &r = references[c], &p = packets[c];
-    const double hidden = 2 * r.tail_slack / r.scale;
-    differences.push_back(
-        {.mean = 0,
-         .lower = r.lower - p.upper,
-         .upper = r.upper - p.lower,
-         .scale = r.scale * (1 - share_of_packets - hidden / margin),
-         .rounding = (arithmetic_rounding<Packet> + hidden) / (1 - share_of_packets - hidden / margin)});
+    differences.push_back({.mean = 0,
+                           .lower = r.lower - p.upper,
+                           .upper = r.upper - p.lower,
+                           .scale = r.scale,
+                           .rounding = arithmetic_rounding<Packet> + r.tail_slack / r.scale});
   }
-  return differences;
+  return with_share(differences, share_of_difference);
 }
 
 inline double log_of_mean(double log_a, double log_b) {
@@ -94,24 +97,27 @@ inline Ladder joint(Ladder a, const Ladder& b) {
   return a;
 }
 
-/// What two parts found, of the whole.
-inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding& differences) {
-  const double p = share_of_packets, d = 1 - share_of_packets;
+/// What two parts found of a channel, of the whole.
+inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding& difference) {
+  const double p = share_of_packets, d = share_of_difference;
   Finding sum = packets;
-  sum.verdict = worse(packets.verdict, differences.verdict);
+  sum.verdict = worse(packets.verdict, difference.verdict);
   sum.margin = trial.margin;
-  sum.bias = p * packets.bias + d * differences.bias;
-  sum.interval = {p * packets.interval.lo + d * differences.interval.lo,
-                  p * packets.interval.hi + d * differences.interval.hi};
-  sum.draws += differences.draws;
-  sum.rounding = p * packets.rounding + d * differences.rounding;
-  if (!differences.note.empty()) sum.note = differences.note;
+  sum.bias = p * packets.bias + d * difference.bias;
+  sum.interval = {p * packets.interval.lo + d * difference.interval.lo,
+                  p * packets.interval.hi + d * difference.interval.hi};
+  sum.draws += difference.draws;
+  sum.rounding = p * packets.rounding + d * difference.rounding;
+  if (!difference.note.empty()) sum.note = "less its draws in packets of floats: " + difference.note;
   return sum;
 }
 
 }  // namespace detail
 
-/// The mean of `draw(type_identity<Real>, source)`, in double, along its draws in packets.
+/// The mean of `draw(type_identity<Real>, source)` in double, most of it seen in packets: E[double] = E[packet] + E[double - packet].
+/// Packets draw some ten times as fast, and along the same numbers the difference is next to nothing, so that few draws show its
+/// mean. Both parts must be certified, each to a share of the margin, and each has half of alpha.
+/// Source   Hammersley and Handscomb 1964, 5.5 (the control variate)
 template <class Draw>
 class AlongPackets {
  public:
@@ -120,15 +126,16 @@ class AlongPackets {
         draw_(draw),
         references_(references),
         packets_(detail::with_share(rounded_references<Packet>(references), detail::share_of_packets)),
-        differences_(detail::of_difference(references, trial.margin)) {}
+        differences_(detail::of_difference(references)) {}
 
   /// Whether it takes less time than double alone, as a pilot foresees: not where the range is so wide that it alone says how many
   /// draws there must be. A packet is taken to cost what a draw in double does. A pilot that is out of its range is left to double.
   bool pays() const try {
     for (std::size_t c = 0; c < references_.size(); ++c) {
-      const double share = differences_[c].scale / references_[c].scale;
-      const bool tail_hides_much = share < 0.999 * (1 - detail::share_of_packets);
-      if (references_[c].sides != Sides::both || tail_hides_much || differences_[c].rounding > trial_.margin / 4)
+      const Reference& r = references_[c];
+      const double rounding = std::max(packets_[c].rounding, differences_[c].rounding);
+      if (r.sides != Sides::both || r.tail_slack > detail::most_in_tail * trial_.margin * r.scale ||
+          rounding > trial_.margin / 4)
         return false;
     }
     const auto pilot = [this](std::size_t draws, const DrawBlock& draw_block) {
@@ -146,24 +153,27 @@ class AlongPackets {
     return false;
   }
 
-  /// Throws what test_means does.
+  /// Where the packets fail, nothing is said of the difference, and the note says so. Throws what test_means does.
   Finding finding() const {
-    Evidence packets, differences;
-    if (trial_.evidence != nullptr && trial_.evidence->listener) {
-      packets.listener = [this](const std::vector<Reference>&, const DrawBlock& draw_block, std::uint64_t draws) {
-        trial_.evidence->listener(references_, draw_block, draws);
-      };
+    Evidence of_packets, of_difference;
+    const std::vector<Finding> packets = test_each_mean(part(0, of_packets), packets_, packet_draws(""));
+    if (worst_of(packets).verdict != Verdict::certified) {
+      leave(of_packets, of_difference);
+      Finding failed = worst_of(packets);
+      failed.bias *= detail::share_of_packets;
+      failed.interval = {failed.interval.lo * detail::share_of_packets,
+                         failed.interval.hi * detail::share_of_packets};
+      failed.margin = trial_.margin;
+      failed.note.insert(0, "seen in packets of floats, which it is drawn along: ");
+      return failed;
     }
-    Finding first = test_means(part(0, packets), packets_, packet_draws(""));
-    Finding second{.verdict = Verdict::certified};
-    if (first.verdict == Verdict::certified) {
-      second = test_means(part(1, differences), differences_, difference_draws(""));
-      if (second.verdict != Verdict::certified) second.note.insert(0, "less its draws in packets of floats: ");
-    } else {
-      first.note.insert(0, "in packets of floats, which it is drawn along: ");
+    const auto differences = test_each_mean(part(1, of_difference), differences_, difference_draws(""));
+    leave(of_packets, of_difference);
+    std::vector<Finding> sums;
+    for (std::size_t c = 0; c < packets.size(); ++c) {
+      sums.push_back(detail::sum_of(trial_, packets[c], differences[c]));
     }
-    leave(packets, differences);
-    return detail::sum_of(trial_, first, second);
+    return worst_of(sums);
   }
 
  private:
@@ -184,14 +194,13 @@ class AlongPackets {
   }
 
   DrawBlock difference_draws(const std::string& purpose) const {
-    return less_packets(StreamKey(trial_.seed, trial_.claim + " in double" + purpose), detail::most_of(references_),
-                        draw_);
+    return less_packets(StreamKey(trial_.seed, trial_.claim + " in double" + purpose), references_, draw_);
   }
 
-  void leave(const Evidence& packets, const Evidence& differences) const {
+  void leave(const Evidence& packets, const Evidence& difference) const {
     if (trial_.evidence == nullptr) return;
-    trial_.evidence->ladder = detail::joint(packets.ladder, differences.ladder);
-    for (const Evidence* each : {&packets, &differences}) {
+    trial_.evidence->ladder = detail::joint(packets.ladder, difference.ladder);
+    for (const Evidence* each : {&packets, &difference}) {
       trial_.evidence->means.insert(trial_.evidence->means.end(), each->means.begin(), each->means.end());
     }
   }
@@ -201,11 +210,13 @@ class AlongPackets {
   std::vector<Reference> references_, packets_, differences_;
 };
 
-/// The mean of an estimator in double: along its draws in packets where that is faster.
+/// The mean of an estimator in double: along its draws in packets where that is faster, and nobody listens, who is to hear draws in
+/// double.
 template <class Draw>
 Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references, const Draw& draw) {
+  const bool heard = trial.evidence != nullptr && trial.evidence->listener;
   const AlongPackets<Draw> along(trial, references, draw);
-  if (along.pays()) return along.finding();
+  if (!heard && along.pays()) return along.finding();
   return check_mean<double>(trial, references,
                             [&](auto& source) { return draw(std::type_identity<double>{}, source); });
 }

@@ -80,8 +80,8 @@ DrawBlock draws_at_once(std::size_t channel_count, const Make& make) {
     for (std::size_t i = 0; i < channels[0].size(); ++i) {
       const std::uint64_t number = (first + i) / lanes<Real>;
       if (number != made) {
-        made = number;
         make(lanes<Real> * number, values);
+        made = number;
       }
       for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = values[c][(first + i) % lanes<Real>];
     }

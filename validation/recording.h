@@ -12,7 +12,8 @@ namespace fairlight {
 class Recording {
  public:
   /// Of the samples `first`, `first` + 1, ..., one a lane.
-  Recording(const StreamKey& key, std::uint64_t first) : floats_(key, 0, first), finer_(key, 1, first) {}
+  Recording(const StreamKey& key, std::uint64_t first)
+      : floats_(key, 0, first), beyond_(floats_), finer_(key, 1, first) {}
 
   const PhiloxStream<Packet>& stream() const { return floats_; }
 
@@ -28,16 +29,16 @@ class Recording {
 
   /// The number of a lane in a dimension, which no lane of the packet need have come to.
   double in_double(std::size_t dimension, std::size_t lane) {
-    if (dimension >= numbers_.size()) {
-      PhiloxStream<Packet> again = floats_;
-      for (std::size_t i = 0; i < numbers_.size(); ++i) again.next();
-      while (dimension >= numbers_.size()) keep(numbers_.size(), again.next());
+    while (dimension >= numbers_.size()) {
+      for (; passed_ < numbers_.size(); ++passed_) beyond_.next();
+      keep(passed_++, beyond_.next());
     }
     return numbers_[dimension][lane];
   }
 
  private:
-  PhiloxStream<Packet> floats_, finer_;
+  PhiloxStream<Packet> floats_, beyond_, finer_;
+  std::size_t passed_ = 0;  ///< of the numbers of `beyond_`
   std::vector<std::array<double, lanes<Packet>>> numbers_;
 };
 

@@ -24,6 +24,22 @@ RC_GTEST_PROP(Rosenblatt, IsTheConditionalDistributionFunctions, ()) {
   RC_ASSERT(std::abs(u.y() - (x.y() + (2 * x.x() - 1) * (x.y() * x.y() - x.y()))) < 1e-12);
 }
 
+// No polynomial: exp(s t), over the sum of 1 / (n n!), has P(T <= t | s) = (exp(s t) - 1) / (exp(s) - 1).
+RC_GTEST_PROP(Rosenblatt, IsTheConditionalLawOfWhatIsNoPolynomial, ()) {
+  static const Rosenblatt transform([](double s, double t) { return std::exp(s * t) / 1.3179021514544038; });
+  const Eigen::Vector2d x = *testing::unit_point();
+  RC_PRE(x.x() > 1e-6);
+  RC_ASSERT(std::abs(transform(x.x(), x.y()).y() - std::expm1(x.x() * x.y()) / std::expm1(x.x())) < 1e-12);
+}
+
+// A ridge that is narrower than a slab is no polynomial between its nodes. Its mass, 2e-7, is no matter.
+TEST(Rosenblatt, LooksAgainWhereADensityIsNotSmooth) {
+  const auto ridge = [](double s) { return 1 + std::exp(-std::pow(1e7 * (s - 0.5 - 0.5 / 256), 2)); };
+  const Rosenblatt transform([&](double s, double t) { return 1 + (ridge(s) - 1) * 2 * t; });
+  const double s = 0.5 + 0.5 / 256, t = 0.25;
+  EXPECT_NEAR(transform(s, t).y(), (t + t * t) / 2, 1e-9);
+}
+
 TEST(Rosenblatt, RefusesADensityThatDoesNotIntegrateToOne) {
   EXPECT_THROW(Rosenblatt([](double, double) { return 1.1; }), std::invalid_argument);
 }

@@ -25,7 +25,7 @@ Finding found(double packets_bias, double double_bias) {
   return AlongPackets(trial, two, draw).finding();
 }
 
-TEST(AlongPackets, CertifiesTheMeanInDoubleWithFewDrawsOfIt) {
+TEST(AlongPackets, CertifiesTheMeanInDouble) {
   const Finding finding = found(0, 0);
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_EQ(finding.guarantee, Guarantee::exact);
@@ -33,24 +33,50 @@ TEST(AlongPackets, CertifiesTheMeanInDoubleWithFewDrawsOfIt) {
   EXPECT_LE(finding.interval.lo, finding.bias);
   EXPECT_GE(finding.interval.hi, finding.bias);
   EXPECT_LT(finding.interval.hi, trial.margin);
-  EXPECT_EQ(finding.rounding, 1e-5);
+  EXPECT_DOUBLE_EQ(finding.rounding, 1e-5);
 }
 
 TEST(AlongPackets, FindsABiasOfEitherArithmeticAndSaysWhich) {
   for (const double bias : {-0.02, 0.02}) {
     const Finding both = found(bias, bias), packets = found(bias, 0), doubles = found(0, bias);
-    for (const Finding& finding : {both, packets, doubles}) EXPECT_EQ(finding.verdict, Verdict::biased);
-    EXPECT_TRUE(both.note.starts_with("in packets of floats")) << both.note;
-    EXPECT_TRUE(packets.note.starts_with("in packets of floats")) << packets.note;
+    for (const Finding& finding : {both, packets, doubles}) {
+      EXPECT_EQ(finding.verdict, Verdict::biased);
+      EXPECT_EQ(finding.margin, trial.margin);
+      EXPECT_NEAR(finding.bias / bias, 1, 0.5);
+    }
+    EXPECT_TRUE(both.note.starts_with("seen in packets of floats")) << both.note;
+    EXPECT_TRUE(packets.note.starts_with("seen in packets of floats")) << packets.note;
     EXPECT_TRUE(doubles.note.starts_with("less its draws in packets")) << doubles.note;
-    EXPECT_NEAR(doubles.bias / bias, 1, 0.5);
   }
 }
 
+// One channel is off in packets by half of the margin, and another is as much in what double has more.
+TEST(AlongPackets, AddsUpThePartsOfAChannel) {
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Real x = Real(2) * source.next() + Real(1);
+    return Rgb<Real>(x * rounded<Real>(1.005), x * rounded<Real>(lanes<Real> > 1 ? 1 : 1.001), x);
+  };
+  const Trial wide{"along_packets_test", 1, 1e-6, 0.01, 0.1};
+  const Finding finding = AlongPackets(wide, {{2, 0, 4}, {2, 0, 4}, {2, 0, 4}}, draw).finding();
+  EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
+  EXPECT_LE(finding.interval.lo, 0.005);
+  EXPECT_GE(finding.interval.hi, 0.005);
+}
+
+// Neither twice its range is out of the question for a difference, nor a number that is not finite.
 TEST(AlongPackets, NamesADrawInDoubleThatIsOutOfItsRange) {
-  const Finding finding = found(0, 10);
-  EXPECT_EQ(finding.verdict, Verdict::biased);
-  EXPECT_NE(finding.note.find("draw 0 is "), std::string::npos) << finding.note;
+  for (const double value : {-0.1, 4.1, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    for (const double slack : {0.0, 1e-8}) {
+      const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+        return Real(lanes<Real> > 1 ? rounded<Real>(2) : rounded<Real>(value)) + Real(0) * source.next();
+      };
+      const Finding finding = AlongPackets(trial, {{2, 0, 4, slack}}, draw).finding();
+      EXPECT_EQ(finding.verdict, Verdict::biased) << value;
+      if (value == 4.1 && slack > 0) continue;
+      EXPECT_NE(finding.note.find("draw 0 is "), std::string::npos) << finding.note;
+      EXPECT_NE(finding.note.find("in double"), std::string::npos) << finding.note;
+    }
+  }
 }
 
 TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
@@ -63,7 +89,8 @@ TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   EXPECT_FALSE(pays({2, 0, 4000}, 1e-3));
   EXPECT_FALSE(pays({2, 0, 4}, 1e-5)) << "finer than floats round";
   EXPECT_TRUE(pays({2, 0, 4, 1e-8}, 1e-3));
-  EXPECT_FALSE(pays({2, 0, 4, 1e-6}, 1e-3)) << "a tail that may hide the margin's thousandth";
+  EXPECT_FALSE(pays({2, 0, 4, 1e-7}, 1e-3)) << "a tail that may hide too much";
+  EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .rounding = 2e-4}, 1e-3)) << "which 79 % does not take";
   EXPECT_FALSE(pays({2, 0, 2.9}, 1e-3)) << "out of the range";
   EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .sides = Sides::not_above}, 1e-3));
 }
@@ -71,17 +98,15 @@ TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
 // Beyond its bound a draw is not the difference's matter, which else would have none.
 TEST(AlongPackets, LeavesOutWhatIsInTheTail) {
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
-    const Real u = source.next();
-    return Real(Real(1) + select(u < Real(0.5), Real(0), rounded<Real>(lanes<Real> > 1 ? 10 : 20)));
+    return Real(select(source.next() < Real(0.5), Real(1), rounded<Real>(lanes<Real> > 1 ? 11 : 21)));
   };
-  std::vector channels(1, std::vector<double>(64));
-  less_packets(StreamKey(1, "tail"), {infinity<double>}, draw)(0, channels);
-  EXPECT_EQ(*std::ranges::max_element(channels[0]), 10);
-  less_packets(StreamKey(1, "tail"), {5}, draw)(0, channels);
-  EXPECT_EQ(*std::ranges::max_element(channels[0]), 0);
-  const auto nothing = []<class Real>(std::type_identity<Real>, auto&) { return Real(std::nanf("")); };
-  less_packets(StreamKey(1, "tail"), {5}, nothing)(0, channels);
-  EXPECT_TRUE(std::isnan(channels[0][0]));
+  const auto largest = [&](const Reference& reference) {
+    std::vector channels(1, std::vector<double>(64));
+    less_packets(StreamKey(1, "tail"), {reference}, draw)(0, channels);
+    return *std::ranges::max_element(channels[0]);
+  };
+  EXPECT_EQ(largest({10, 0, 30}), 10);
+  EXPECT_EQ(largest({10, 0, 5, 1}), 0);
 }
 
 // The mean of e-values is one; of two parts the one that is off has the less wealth that speaks against it.
@@ -95,23 +120,48 @@ TEST(AlongPackets, LeavesTheWealthOfBothParts) {
   EXPECT_EQ(detail::joint(Wealth{infinite, 0, 0, 0}, Wealth{}).too_bright, infinite);
 }
 
-TEST(AlongPackets, LeavesOneLadderAChannelAndTheDrawsToListeners) {
-  const auto draw = ramp(0, 0);
+TEST(AlongPackets, LeavesOneLadderAChannelAndFewDrawsInDouble) {
+  const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 2e-3};
+  for (const double bias : {0.0, 2e-3}) {  // of double alone
+    Evidence evidence;
+    Trial watched = fine;
+    watched.evidence = &evidence;
+    const auto draw = ramp(0, bias);
+    const Finding finding = AlongPackets(watched, two, draw).finding();
+    ASSERT_EQ(evidence.ladder.channels.size(), 1u);
+    ASSERT_EQ(evidence.means.size(), 2u);
+    const auto in_packets = evidence.means[0].steps().back().draws,
+               in_double = evidence.means[1].steps().back().draws;
+    EXPECT_LT(4 * in_double, in_packets);
+    const double margin = Account(evidence.ladder).certified_margin(trial.beta);
+    if (bias == 0) {
+      EXPECT_EQ(finding.verdict, Verdict::certified);
+      EXPECT_LE(margin, margin_of_rung(first_rung(fine.margin)));
+    } else {
+      EXPECT_EQ(finding.verdict, Verdict::biased);
+      EXPECT_GT(margin, fine.margin);
+    }
+  }
+}
+
+// They hear draws in double, as many as the test took.
+TEST(CheckMeanInDouble, IsAloneWhereSomebodyListens) {
   Evidence evidence;
   std::uint64_t heard = 0;
-  evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock&, std::uint64_t draws) {
+  evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock& draw_block,
+                          std::uint64_t draws) {
+    std::vector channels(1, std::vector<double>(1));
+    draw_block(0, channels);
+    EXPECT_EQ(channels[0][0], 1.5);
     EXPECT_EQ(references[0].scale, 2);
-    heard += draws;
+    heard = draws;
   };
   Trial watched = trial;
   watched.evidence = &evidence;
-  const Finding finding = AlongPackets(watched, two, draw).finding();
-  EXPECT_EQ(finding.verdict, Verdict::certified);
-  EXPECT_EQ(evidence.ladder.channels.size(), 1u);
-  EXPECT_EQ(evidence.means.size(), 2u);
-  EXPECT_GT(heard, 0u);
-  EXPECT_LT(heard, finding.draws);
-  EXPECT_LE(Account(evidence.ladder).certified_margin(trial.beta), trial.margin);
+  const auto draw = []<class Real>(std::type_identity<Real>, auto&) {
+    return rounded<Real>(lanes<Real> > 1 ? 2 : 1.5);
+  };
+  EXPECT_EQ(check_mean_in_double(watched, {{2, 0, 4}}, draw).draws, heard);
 }
 
 TEST(CheckMeanInDouble, HasOneVerdictEitherWay) {

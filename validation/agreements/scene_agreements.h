@@ -78,8 +78,9 @@ Claim floats_against_double(const std::string& name, const View& view, double la
           .margin_factor = 1,
           .check =
               [=](const Trial& trial) {
-                return test_means(trial, {{0, -largest, largest, 0, mean}},
-                                  less_packets(StreamKey(trial.seed, trial.claim), {infinity<double>}, draw));
+                const std::vector<Reference> floats{{0, -largest, largest, 0, mean}};
+                return test_means(trial, rounded_references<Packet>(floats),
+                                  less_packets(StreamKey(trial.seed, trial.claim), floats, draw));
               },
           .real = "packet"};
 }

@@ -15,6 +15,7 @@ struct ClosedScene {
   /// The radiance, per channel, of paths of at most so many bounces.
   std::function<Rgb<double>(int depth)> radiance;
   Rgb<double> largest_term;  ///< what the shadow rays of a vertex bring at most
+  double index = 1;          ///< of its glass, in which a path carries so much less in square
 
   /// What a surface emits at most.
   Rgb<double> brightest() const {
@@ -87,7 +88,8 @@ inline ClosedScene lit_box() {
 
 /// Under a sky of one radiance what reflects all light is not seen: a white ball, a mirror and glass, which light each other too, show Le as
 /// the sky does (the white furnace). By bounces alone, as long as they go: every path ends in the sky, with all that it left with.
-/// Bound: that of the sky itself, as no path brings more or less.
+/// Bound: that of the sky itself, as no path brings more or less; but roulette by throughput takes what a path carries in glass for little,
+/// Le / n^2, so that survivors leave it with n^2 Le.
 /// Source: reciprocity and conservation of energy; Veach 1997, 6.3
 inline ClosedScene white_sky() {
   const Rgb<double> none(0, 0, 0), white(1, 1, 1), radiance(1, 2, 0.5);
@@ -95,9 +97,10 @@ inline ClosedScene white_sky() {
   scene.add_sphere({0, 0, 0}, 16, none, radiance);
   scene.add_sphere({-2.2, 0, 0}, 1, white, none);
   scene.add_sphere({0, 0.3, -1}, 1, Material(Material::Kind::mirror, white, 1), none);
-  scene.add_sphere({2.2, -0.2, 0.5}, 1, Material(Material::Kind::glass, white, 1.5), none);
+  constexpr double index = 1.5;
+  scene.add_sphere({2.2, -0.2, 0.5}, 1, Material(Material::Kind::glass, white, index), none);
   const Camera camera({.eye = {0, 0, 6}, .look = {0, 0, -1}, .focus_distance = 6});
-  return {{"white_sky", scene, camera}, [=](int) { return radiance; }, {0, 0, 0}};
+  return {{"white_sky", scene, camera}, [=](int) { return radiance; }, {0, 0, 0}, index};
 }
 
 /// The ball alone, which is convex, so that one bounce is all.
