@@ -129,8 +129,8 @@ std::string report(const std::vector<Mutant>& mutants, const Results& results, c
   std::string page = "# Mutants that survived\n\n`" + command + "`: " + summary(mutants, results) + ".\n";
   for (const Mutant& m : mutants) {
     if (results.fate(m).kind != Fate::Kind::survived) continue;
-    page += formatted("\n`%s`, line %d, certified by all claims of %s:\n\n```\n-%s\n+%s\n```\n", m.file.c_str(),
-                      m.line, results.fate(m).by.c_str(), m.before.c_str(), m.after.c_str());
+    page += formatted("\n`%s`, line %d, noticed by nothing in %s:\n\n```\n-%s\n+%s\n```\n", m.file.c_str(), m.line,
+                      results.fate(m).by.c_str(), m.before.c_str(), m.after.c_str());
   }
   return page;
 }
@@ -141,6 +141,7 @@ int mutate(const MutateOptions& options) {
   const std::vector<Mutant> all = all_mutants(this_build().source, options.sources);
   std::vector<Mutant> mutants = sample_of(all, options.sample, parse_seed(seed));
   Results results(options.results);
+  std::fprintf(stderr, "a sample of %zu of %zu mutants, seed %s\n", mutants.size(), all.size(), seed.c_str());
   run_mutants(mutants, options, results);
   std::ranges::sort(mutants, {}, [](const Mutant& m) { return std::pair(m.file, m.begin); });
   for (const Mutant& m : mutants) {
@@ -171,7 +172,8 @@ void add_mutate_command(CLI::App& audit, Command& command) {
   app->add_option("--sample", options->sample, "How many mutants, each as likely as any; half a minute each")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
       ->capture_default_str();
-  app->add_option("--seed", options->seed, "Which mutants: the 16 hexadecimal digits that a run printed");
+  app->add_option("--seed", options->seed,
+                  "Which mutants: the 16 hexadecimal digits that a run printed at its start");
   app->add_option("--files", options->files, "How many files of claims, the most concerned first, are run at most")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100}))
       ->capture_default_str();

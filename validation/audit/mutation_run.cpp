@@ -26,26 +26,28 @@ int shell(const std::string& folder, const std::string& command) {
   return run_process({"sh", "-c", formatted("cd '%s' && %s", folder.c_str(), command.c_str())}).status;
 }
 
-// How the build compiles each file of claims/ for every machine, but for the name of the object.
+const std::string claims_folder = "validation/claims/";
+
+// How the build compiles each source of claims and tests for every machine, but for the name of the object.
 std::map<std::string, std::string> compile_commands(const BuildPlaces& places) {
-  const std::string folder = places.source + "/validation/claims/";
   std::map<std::string, std::string> commands;
   for (const auto& entry : nlohmann::json::parse(read_whole(places.build + "/compile_commands.json"))) {
     const std::string file = entry["file"], command = entry["command"];
-    if (!file.starts_with(folder) || command.find("FAIRLIGHT_ENTRY") != std::string::npos) continue;
-    commands[file.substr(folder.size())] = std::regex_replace(command, std::regex(" -o \\S+"), "");
+    if (!file.starts_with(places.source + "/") || command.find("FAIRLIGHT_ENTRY") != std::string::npos) continue;
+    commands[file.substr(places.source.size() + 1)] = std::regex_replace(command, std::regex(" -o \\S+"), "");
   }
   return commands;
 }
 
-std::string link_command(const BuildPlaces& places) {
-  const std::string all = run_process({"ninja", "-C", places.build, "-t", "commands", "fairlight"}).out;
+// How the build links one of its programs.
+std::string link_command(const BuildPlaces& places, const std::string& program) {
+  const std::string all = run_process({"ninja", "-C", places.build, "-t", "commands", program}).out;
   const std::size_t end = all.find_last_not_of('\n') + 1;
   const std::size_t begin = all.rfind('\n', end - 1) + 1;
   std::string last = all.substr(begin, end - begin);
-  if (last.find(" -o fairlight ") == std::string::npos) {
-    throw std::runtime_error("it is not known how \"" + places.build +
-                             "\" links the program (build it with ninja)");
+  if (last.find(formatted(" -o %s ", program.c_str())) == std::string::npos) {
+    throw std::runtime_error("it is not known how \"" + places.build + "\" links " + program +
+                             " (build it with ninja)");
   }
   return last;
 }
@@ -87,7 +89,7 @@ MutationRun::Workplace::~Workplace() {
 MutationRun::MutationRun(const BuildPlaces& places)
     : places_(places),
       scratch_(fs::temp_directory_path().string()),
-      link_(link_command(places)),
+      link_(link_command(places, "fairlight")),
       sources_(places),
       compile_(compile_commands(places)) {
   for (const Claim& claim : registry())
@@ -124,45 +126,70 @@ Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::si
   write_whole(header.string(), mutated(read_whole(places_.source + "/" + mutant.file), mutant));
   std::vector<std::string> files = concerned(mutant.file);
   files.resize(std::min(files.size(), most_files));
+  for (std::string& file : files) file.insert(0, claims_folder);
+  const fs::path test = "tests" / fs::path(mutant.file).replace_extension() += "_test.cpp";
+  if (compile_.contains(test.string())) files.push_back(test.string());
   std::string run;
-  bool changed = false;
   for (const std::string& file : files) {
     if (!compile(place, file)) return {Fate::Kind::no_program, file};
     if (same_as_unchanged(place, file)) continue;
-    changed = true;
-    const std::string by = killer(place, file);
+    const std::string by = file.starts_with(claims_folder) ? killer(place, file.substr(claims_folder.size()))
+                                                           : failing_test(place, file);
     if (!by.empty()) return {Fate::Kind::killed, by};
     run += (run.empty() ? "" : " ") + file;
   }
-  return changed ? Fate{Fate::Kind::survived, run} : Fate{Fate::Kind::equivalent, ""};
+  return run.empty() ? Fate{Fate::Kind::equivalent, ""} : Fate{Fate::Kind::survived, run};
 }
 
-bool MutationRun::compile(const Workplace& place, const std::string& claim_file) const {
+bool MutationRun::compile(const Workplace& place, const std::string& source) {
   const std::string command =
-      with_options(compile_.at(claim_file), formatted("-I%s/include", quoted(place.folder).c_str()));
+      with_options(parsed_once(compile_.at(source)), formatted("-I%s/include", quoted(place.folder).c_str()));
   return shell(places_.build, formatted("%s -O1 -w -o '%s'", command.c_str(), place.object().c_str())) == 0;
 }
 
-// The object of the right sources is compiled once.
-bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& claim_file) {
+// The command with the libraries' headers parsed as it wants them, which is half of its time: the build's own are optimised otherwise.
+std::string MutationRun::parsed_once(const std::string& command) {
+  static const std::regex include(R"( -include (\S+/cmake_pch\.hxx))"), source(" -c \\S+");
+  std::smatch match;
+  if (!std::regex_search(command, match, include)) return command;
   const std::lock_guard lock(mutex_);
-  const std::string object = scratch_.folder + "/" + claim_file + ".o";
+  std::string& header = headers_[match[1]];
+  if (header.empty()) {
+    const fs::path folder = fs::path(scratch_.folder) / formatted("headers_%zu", headers_.size());
+    fs::create_directories(folder);
+    header = (folder / "cmake_pch.hxx").string();
+    fs::copy_file(match[1].str(), header);
+    const std::string options = std::regex_replace(std::regex_replace(command, include, ""), source, "");
+    shell(places_.build, formatted("%s -O1 -w -x c++-header -o '%s.gch' -c '%s'", options.c_str(), header.c_str(),
+                                   header.c_str()));
+  }
+  return std::regex_replace(command, include, " -include " + header);
+}
+
+// The object of the right sources is compiled once.
+bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& source) {
+  const std::lock_guard lock(unchanged_);
+  const std::string object = (fs::path(scratch_.folder) / fs::path(source).filename()).string() + ".o";
   if (!fs::exists(object)) {
     const Workplace unchanged(scratch_.folder);
-    if (!compile(unchanged, claim_file))
-      throw std::runtime_error("\"" + claim_file + "\" does not compile as it is (build the program first)");
+    if (!compile(unchanged, source))
+      throw std::runtime_error("\"" + source + "\" does not compile as it is (build the program first)");
     fs::rename(unchanged.object(), object);
   }
   return read_whole(object) == read_whole(place.object());
 }
 
-// The name of a claim that finds it biased, or how the program stopped; nothing where all are certified.
-std::string MutationRun::killer(const Workplace& place, const std::string& claim_file) const {
+void MutationRun::link(const Workplace& place, const std::string& command, const std::string& program) const {
   const std::string link =
-      std::regex_replace(with_options(link_, quoted(place.object())), std::regex(" -o fairlight "),
+      std::regex_replace(with_options(command, quoted(place.object())), std::regex(" -o " + program + " "),
                          formatted(" -o '%s' ", place.program().c_str()));
   if (shell(places_.build, link) != 0)
-    throw std::runtime_error("the program cannot be linked with a changed \"" + claim_file + "\" (try ninja)");
+    throw std::runtime_error(program + " cannot be linked with a changed source (try ninja)");
+}
+
+// The name of a claim that finds it biased, or how the program stopped; nothing where all are certified.
+std::string MutationRun::killer(const Workplace& place, const std::string& claim_file) const {
+  link(place, link_, "fairlight");
   std::string claims;
   for (const Claim& claim : registry()) {
     if (claim.file == claim_file) claims += formatted(" %s", quoted(claim.name).c_str());
@@ -182,6 +209,14 @@ std::string MutationRun::killer(const Workplace& place, const std::string& claim
     fs::remove(place.folder + "/findings.json");
   }
   return "no verdict";
+}
+
+// The test's source where it fails. A test alone is linked as the program is that all of its folder's are in.
+std::string MutationRun::failing_test(const Workplace& place, const std::string& test) const {
+  static const std::regex objects(R"( tests/CMakeFiles/\S+\.o\b)");
+  const std::string program = fs::path(test).parent_path().string() + "_tests";
+  link(place, std::regex_replace(link_command(places_, program), objects, ""), program);
+  return shell(place.folder, "timeout 600 ./fairlight") == 0 ? "" : test;
 }
 
 }  // namespace fairlight

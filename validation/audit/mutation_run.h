@@ -13,20 +13,21 @@ namespace fairlight {
 /// What became of a mutant.
 struct Fate {
   enum class Kind {
-    killed,      ///< a claim says `biased`, or the program stops
-    survived,    ///< every claim that was run is certified
+    killed,      ///< a claim says `biased`, the component's own test fails, or a program stops
+    survived,    ///< every claim that was run is certified, and the test passes
     equivalent,  ///< the compiler makes the same of it as of the right source
     no_program,  ///< it does not compile
   };
   Kind kind;
-  std::string by;  ///< the claim that killed it, or how the program stopped; or which files of claims were run
+  std::string by;  ///< the claim or the test that killed it, or how the program stopped; or which files were run
   double seconds = 0;
 };
 const char* name(Fate::Kind kind);
 Fate::Kind fate_named(const std::string& name);  ///< throws std::invalid_argument for any other name
 
-/// Compiles mutants into claims, and runs these. The sources stay as they are: the changed header stands in a folder that is searched
-/// first, the claims' file is compiled against it without the last optimisations, and the program is linked as its build links it.
+/// Compiles mutants into claims, and runs these; and where no claim notices, into the test of the header's name. The sources stay as they
+/// are: the changed header stands in a folder that is searched first, a file is compiled against it without the last optimisations, and
+/// the program is linked as its build links it.
 class MutationRun {
  public:
   /// Works in a folder of its own, gone with it, where temporary ones are. Throws std::runtime_error where the build is gone or the sources are
@@ -36,7 +37,7 @@ class MutationRun {
   /// The files of claims/ that rest on a source, those with the most claims about its components first.
   std::vector<std::string> concerned(const std::string& source);
 
-  /// Runs the claims of at most so many of the files concerned, until one kills it. May be called from several threads at once.
+  /// Runs the claims of at most so many of the files concerned, and then the test, until one kills it. May be called from several threads at once.
   Fate judge(const Mutant& mutant, std::size_t most_files);
 
  private:
@@ -46,23 +47,27 @@ class MutationRun {
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
     ~Workplace();
-    std::string object() const { return folder + "/claims.o"; }
+    std::string object() const { return folder + "/changed.o"; }
     std::string program() const { return folder + "/fairlight"; }
 
     std::string folder;
   };
 
   Fate judge_in(const Workplace& place, const Mutant& mutant, std::size_t most_files);
-  bool compile(const Workplace& place, const std::string& claim_file) const;
-  bool same_as_unchanged(const Workplace& place, const std::string& claim_file);
+  bool compile(const Workplace& place, const std::string& source);
+  std::string parsed_once(const std::string& command);
+  bool same_as_unchanged(const Workplace& place, const std::string& source);
+  void link(const Workplace& place, const std::string& command, const std::string& program) const;
   std::string killer(const Workplace& place, const std::string& claim_file) const;
+  std::string failing_test(const Workplace& place, const std::string& test) const;
 
   BuildPlaces places_;
   Workplace scratch_;  // of the objects of the right sources, and of the places of mutants
   std::string link_;
   Sources sources_;
-  std::map<std::string, std::string> compile_;  // by the file of claims/
-  std::mutex mutex_;
+  std::map<std::string, std::string> compile_;  // by the source
+  std::map<std::string, std::string> headers_;  // by the build's own, which ours are made of
+  std::mutex mutex_, unchanged_;
 };
 
 }  // namespace fairlight
