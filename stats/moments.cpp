@@ -17,11 +17,28 @@ Moments Moments::of(std::span<const double> draws) {
   moments.maximum_ = x.maxCoeff<Eigen::PropagateNaN>();
   const bool equal = moments.minimum_ == moments.maximum_;  // whose mean is what they are, where a sum would round
   moments.mean_ = equal ? moments.minimum_ : x.sum() / static_cast<double>(draws.size());
-  const auto deviation = x - moments.mean_;
-  moments.m2_ = deviation.square().sum();
-  moments.m3_ = deviation.cube().sum();
-  moments.m4_ = deviation.square().square().sum();
+  moments.add_powers(draws);
   return moments;
+}
+
+// The powers of all deviations in one pass, eight at a time.
+void Moments::add_powers(std::span<const double> draws) {
+  using Eight = Eigen::Array<double, 8, 1>;
+  Eight squares = Eight::Zero(), cubes = Eight::Zero(), fourths = Eight::Zero();
+  const auto add = [&](const Eight& deviation) {
+    const Eight square = deviation.square();
+    squares += square;
+    cubes += square * deviation;
+    fourths += square.square();
+  };
+  std::size_t i = 0;
+  for (; i + 8 <= draws.size(); i += 8) add(Eigen::Map<const Eight>(&draws[i]) - mean_);
+  Eight rest = Eight::Zero();
+  for (Eigen::Index k = 0; i < draws.size(); ++i) rest[k++] = draws[i] - mean_;
+  add(rest);
+  m2_ = squares.sum();
+  m3_ = cubes.sum();
+  m4_ = fourths.sum();
 }
 
 void Moments::merge(const Moments& other) {

@@ -42,6 +42,8 @@ class Moments {
   double variance_of_variance() const;
 
  private:
+  void add_powers(std::span<const double> draws);
+
   std::uint64_t count_ = 0;
   double mean_ = 0;
   double m2_ = 0;

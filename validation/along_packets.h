@@ -153,27 +153,22 @@ class AlongPackets {
     return false;
   }
 
-  /// Where the packets fail, nothing is said of the difference, and the note says so. Throws what test_means does.
+  /// Where the packets fail, the figures are theirs, as the difference is then not drawn, and the note says so. Throws what test_means
+  /// does.
   Finding finding() const {
     Evidence of_packets, of_difference;
     const std::vector<Finding> packets = test_each_mean(part(0, of_packets), packets_, packet_draws(""));
-    if (worst_of(packets).verdict != Verdict::certified) {
-      leave(of_packets, of_difference);
-      Finding failed = worst_of(packets);
-      failed.bias *= detail::share_of_packets;
-      failed.interval = {failed.interval.lo * detail::share_of_packets,
-                         failed.interval.hi * detail::share_of_packets};
-      failed.margin = trial_.margin;
-      failed.note.insert(0, "seen in packets of floats, which it is drawn along: ");
-      return failed;
-    }
-    const auto differences = test_each_mean(part(1, of_difference), differences_, difference_draws(""));
+    const bool go_on = worst_of(packets).verdict == Verdict::certified;
+    std::vector<Finding> differences(packets.size(), Finding{.verdict = Verdict::certified});
+    if (go_on) differences = test_each_mean(part(1, of_difference), differences_, difference_draws(""));
     leave(of_packets, of_difference);
     std::vector<Finding> sums;
     for (std::size_t c = 0; c < packets.size(); ++c) {
       sums.push_back(detail::sum_of(trial_, packets[c], differences[c]));
     }
-    return worst_of(sums);
+    Finding whole = worst_of(sums);
+    if (!go_on) whole.note.insert(0, "seen in packets of floats, which it is drawn along: ");
+    return whole;
   }
 
  private:

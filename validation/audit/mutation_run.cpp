@@ -125,18 +125,20 @@ Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::si
   fs::create_directories(header.parent_path());
   write_whole(header.string(), mutated(read_whole(places_.source + "/" + mutant.file), mutant));
   std::vector<std::string> files = concerned(mutant.file);
-  files.resize(std::min(files.size(), most_files));
   for (std::string& file : files) file.insert(0, claims_folder);
   const fs::path test = "tests" / fs::path(mutant.file).replace_extension() += "_test.cpp";
   if (compile_.contains(test.string())) files.push_back(test.string());
   std::string run;
+  std::size_t of_claims = 0;
   for (const std::string& file : files) {
+    const bool is_test = !file.starts_with(claims_folder);
+    if (!is_test && of_claims == most_files) continue;
     if (!compile(place, file)) return {Fate::Kind::no_program, file};
     if (same_as_unchanged(place, file)) continue;
-    const std::string by = file.starts_with(claims_folder) ? killer(place, file.substr(claims_folder.size()))
-                                                           : failing_test(place, file);
+    const std::string by = is_test ? failing_test(place, file) : killer(place, file.substr(claims_folder.size()));
     if (!by.empty()) return {Fate::Kind::killed, by};
     run += (run.empty() ? "" : " ") + file;
+    of_claims += is_test ? 0 : 1;
   }
   return run.empty() ? Fate{Fate::Kind::equivalent, ""} : Fate{Fate::Kind::survived, run};
 }

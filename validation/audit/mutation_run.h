@@ -15,7 +15,7 @@ struct Fate {
   enum class Kind {
     killed,      ///< a claim says `biased`, the component's own test fails, or a program stops
     survived,    ///< every claim that was run is certified, and the test passes
-    equivalent,  ///< the compiler makes the same of it as of the right source
+    equivalent,  ///< the compiler makes the same of every file concerned
     no_program,  ///< it does not compile
   };
   Kind kind;
@@ -37,7 +37,7 @@ class MutationRun {
   /// The files of claims/ that rest on a source, those with the most claims about its components first.
   std::vector<std::string> concerned(const std::string& source);
 
-  /// Runs the claims of at most so many of the files concerned, and then the test, until one kills it. May be called from several threads at once.
+  /// Runs the claims of at most so many of the files concerned that it changes, and then the test, until one kills it. May be called from several threads at once.
   Fate judge(const Mutant& mutant, std::size_t most_files);
 
  private:
