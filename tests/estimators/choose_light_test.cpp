@@ -37,6 +37,17 @@ void expect_eighths(const Choice& choice) {
 TEST(PowerChoice, CutsTheUnitIntervalInProportion) { expect_eighths(by_power); }
 TEST(ContributionChoice, CutsTheUnitIntervalInProportion) { expect_eighths(by_contribution); }
 
+// Faint lights are chosen as bright ones are.
+TEST(ContributionChoice, KnowsNoScaleOfItsWeights) {
+  for (const int exponent : {-60, 60}) {
+    const auto scaled = [exponent](int i) { return std::ldexp(power(i), exponent); };
+    const ContributionChoice<double, decltype(scaled)> choice(6, scaled);
+    EXPECT_EQ(choice.probability(3), 0.25);
+    EXPECT_EQ(choice.sample({0.2, 0}).index, 3);
+    EXPECT_EQ(choice.sample({0.2, 0}).probability.value(), 0.25);
+  }
+}
+
 template <class Choice>
 void expect_nothing(const Choice& choice) {
   EXPECT_EQ(choice.sample({0.5, 0.5}).probability.value(), 0);

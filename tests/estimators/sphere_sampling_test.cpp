@@ -40,6 +40,14 @@ TEST(SphereByArea, HasTheDensityOfAreaTurnedIntoSolidAngle) {
   EXPECT_NEAR(SphereByArea<double>(above).sample(origin, {0, 0}).density.value(), 4 / (36 * M_PI), 1e-15);
 }
 
+// A direction that cuts a chord of 0.02 off the rim: half of it over the radius is the cosine there.
+TEST(SphereByArea, HasADensityUpToTheRim) {
+  const double along = std::sqrt(16 + 1e-4), distance = along - 0.01;
+  const Vec3<double> grazing(std::sqrt(9 - 1e-4) / 5, 0, along / 5);
+  const double density = distance * distance / (36 * M_PI * (0.01 / 3));
+  EXPECT_NEAR(SphereByArea<double>(above).pdf(origin, grazing).value() / density, 1, 1e-9);
+}
+
 TEST(SphereByArea, HasNoSampleOnTheFarSide) {
   EXPECT_EQ(SphereByArea<double>(above).sample(origin, {0.9, 0.2}).density.value(), 0);
   EXPECT_EQ(SphereByArea<double>(above).pdf(origin, {0, 1, 0}).value(), 0);

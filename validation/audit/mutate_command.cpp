@@ -15,6 +15,7 @@
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/stats/text.h>
+#include <fairlight/validation/audit/known_equivalents.h>
 #include <fairlight/validation/audit/mutation_run.h>
 #include <fairlight/validation/commands.h>
 
@@ -105,6 +106,8 @@ void run_mutants(const std::vector<Mutant>& mutants, const MutateOptions& option
   const auto n = static_cast<int>(mutants.size());
   for_each_unit(n, options.threads, [&](int i) {
     const Mutant& mutant = mutants[static_cast<std::size_t>(i)];
+    const std::string why = known_equivalence(mutant);
+    if (!why.empty()) results.add(mutant, {Fate::Kind::equivalent, why});
     if (!results.knows(mutant)) results.add(mutant, run.judge(mutant, options.files));
     const int so_far = ++done;
     if (progress) progress(static_cast<double>(so_far) / n);

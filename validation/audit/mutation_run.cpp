@@ -112,6 +112,27 @@ std::vector<std::string> MutationRun::concerned(const std::string& source) {
   return files;
 }
 
+std::vector<std::string> MutationRun::tests_of(const std::string& source) const {
+  const std::vector<std::string> names = components_of(read_whole(places_.source + "/" + source));
+  const std::string stem = "tests/" + fs::path(source).replace_extension().string();
+  std::vector<std::pair<std::ptrdiff_t, std::string>> about;
+  for (const auto& [file, command] : compile_) {
+    if (!file.starts_with(fs::path(stem).parent_path().string() + "/")) continue;
+    const std::string text = read_whole(places_.source + "/" + file);
+    std::ptrdiff_t mentions = file == stem + "_test.cpp" ? 1000 : 0;
+    for (const std::string& name : names) {
+      const std::regex mention("\\b" + name + "\\b");
+      mentions += std::distance(std::sregex_iterator(text.begin(), text.end(), mention), std::sregex_iterator());
+    }
+    if (mentions > 0) about.emplace_back(-mentions, file);
+  }
+  std::ranges::sort(about);
+  about.resize(std::min<std::size_t>(about.size(), 3));
+  std::vector<std::string> tests;
+  for (const auto& [order, file] : about) tests.push_back(file);
+  return tests;
+}
+
 Fate MutationRun::judge(const Mutant& mutant, std::size_t most_files) {
   const auto start = std::chrono::steady_clock::now();
   const Workplace place(scratch_.folder);
@@ -126,8 +147,7 @@ Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::si
   write_whole(header.string(), mutated(read_whole(places_.source + "/" + mutant.file), mutant));
   std::vector<std::string> files = concerned(mutant.file);
   for (std::string& file : files) file.insert(0, claims_folder);
-  const fs::path test = "tests" / fs::path(mutant.file).replace_extension() += "_test.cpp";
-  if (compile_.contains(test.string())) files.push_back(test.string());
+  for (std::string& test : tests_of(mutant.file)) files.push_back(std::move(test));
   std::string run;
   std::size_t of_claims = 0;
   for (const std::string& file : files) {

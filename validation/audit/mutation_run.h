@@ -13,8 +13,8 @@ namespace fairlight {
 /// What became of a mutant.
 struct Fate {
   enum class Kind {
-    killed,      ///< a claim says `biased`, the component's own test fails, or a program stops
-    survived,    ///< every claim that was run is certified, and the test passes
+    killed,      ///< a claim says `biased`, a test of the component fails, or a program stops
+    survived,    ///< every claim that was run is certified, and the tests pass
     equivalent,  ///< the compiler makes the same of every file concerned
     no_program,  ///< it does not compile
   };
@@ -25,7 +25,7 @@ struct Fate {
 const char* name(Fate::Kind kind);
 Fate::Kind fate_named(const std::string& name);  ///< throws std::invalid_argument for any other name
 
-/// Compiles mutants into claims, and runs these; and where no claim notices, into the test of the header's name. The sources stay as they
+/// Compiles mutants into claims, and runs these; and where no claim notices, into the tests that name its components. The sources stay as they
 /// are: the changed header stands in a folder that is searched first, a file is compiled against it without the last optimisations, and
 /// the program is linked as its build links it.
 class MutationRun {
@@ -37,7 +37,10 @@ class MutationRun {
   /// The files of claims/ that rest on a source, those with the most claims about its components first.
   std::vector<std::string> concerned(const std::string& source);
 
-  /// Runs the claims of at most so many of the files concerned that it changes, and then the test, until one kills it. May be called from several threads at once.
+  /// At most three tests of the source's folder that name its components, that of its own name first and then those that do so the most.
+  std::vector<std::string> tests_of(const std::string& source) const;
+
+  /// Runs the claims of at most so many of the files concerned that it changes, and then the tests, until one kills it. May be called from several threads at once.
   Fate judge(const Mutant& mutant, std::size_t most_files);
 
  private:
