@@ -19,7 +19,7 @@ constexpr std::array known{
           "only the sign is asked for, which a quotient has in common with a product"},
     Known{"estimators/inversion.h", "const Mask<Real> near = w < Real(5);",
           "const Mask<Real> near = w < Real(5.1);",
-          "from 5 to 5.1 both polynomials are as near as they claim, 4e-7"},
+          "from 5 to 5.1 both polynomials are within 5e-7, and steps that triple its digits begin there"},
 };
 
 }  // namespace
