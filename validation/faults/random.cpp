@@ -45,7 +45,7 @@ Fault one_vertex() {
           {point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
            vertices_claim<double, faults::OneVertexSobol>("padded_sobol", {}),
            vertices_claim<Packet, faults::OneVertexSobol>("padded_sobol", {}),
-           cornell_by_sets<double, faults::OneVertexSobol>("sobol", "")}};
+           cornell_by_sets<Packet, faults::OneVertexSobol>("sobol", "")}};
 }
 
 Fault same_order() {
