@@ -25,18 +25,5 @@ TEST(AroundTheLightOfCornellSimple, HasTheLightInItsMiddleAndNoneAtItsEdge) {
   }
 }
 
-TEST(Recording, GivesEveryLaneTheNumbersOfThePacket) {
-  const StreamKey key(7, "recording");
-  PhiloxStream<Packet> stream(key, 0, 0), again(key, 0, 0);
-  Recording recording(stream);
-  Recording::Lane second{recording, 1};
-  Recording::Lanes lanes_together{recording};
-  for (int dimension = 0; dimension < 9; ++dimension) {
-    const Packet expected = again.next();
-    EXPECT_EQ(second.next(), detail::lane_of(expected, 1));
-    EXPECT_TRUE(all(lanes_together.next() == expected));
-  }
-}
-
 }  // namespace
 }  // namespace fairlight
