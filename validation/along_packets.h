@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fairlight/stats/evidence.h>
 #include <fairlight/validation/checks.h>
@@ -97,6 +98,11 @@ inline Ladder joint(Ladder a, const Ladder& b) {
   return a;
 }
 
+/// Which part it is that has no certificate, and what is noted there.
+inline std::string note_on(const std::string& part, const std::string& note) {
+  return note.empty() ? part : part + ": " + note;
+}
+
 /// What two parts found of a channel, of the whole.
 inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding& difference) {
   const double p = share_of_packets, d = share_of_difference;
@@ -108,7 +114,8 @@ inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding&
                   p * packets.interval.hi + d * difference.interval.hi};
   sum.draws += difference.draws;
   sum.rounding = p * packets.rounding + d * difference.rounding;
-  if (!difference.note.empty()) sum.note = "less its draws in packets of floats: " + difference.note;
+  if (difference.verdict != Verdict::certified)
+    sum.note = note_on("less its draws in packets of floats", difference.note);
   return sum;
 }
 
@@ -167,7 +174,7 @@ class AlongPackets {
       sums.push_back(detail::sum_of(trial_, packets[c], differences[c]));
     }
     Finding whole = worst_of(sums);
-    if (!go_on) whole.note.insert(0, "seen in packets of floats, which it is drawn along: ");
+    if (!go_on) whole.note = detail::note_on("seen in packets of floats, which it is drawn along", whole.note);
     return whole;
   }
 
