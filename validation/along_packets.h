@@ -5,6 +5,7 @@
 #include <string>
 
 #include <fairlight/stats/evidence.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/checks.h>
 
 namespace fairlight {
@@ -100,7 +101,7 @@ inline Ladder joint(Ladder a, const Ladder& b) {
 
 /// Which part it is that has no certificate, and what is noted there.
 inline std::string note_on(const std::string& part, const std::string& note) {
-  return note.empty() ? part : part + ": " + note;
+  return note.empty() ? part : formatted("%s: %s", part.c_str(), note.c_str());
 }
 
 /// What two parts found of a channel, of the whole.
