@@ -64,7 +64,8 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
   for (int k = 0; k < settings.max_depth; ++k) vertices += std::pow(weight, k);
   const Rgb<double> mean = scene.radiance(settings.max_depth);
   const Rgb<double> brightest = scene.brightest();
-  const double glass = settings.roulette == "throughput" ? scene.index * scene.index : 1;
+  const double glass =
+      settings.roulette == "throughput" ? scene.index * scene.index * (1 + 1e-12) : 1;  // but for rounding
   const Rgb<double> upper =
       glass * (brightest + vertices * (shadow_rays * scene.largest_term + bounces * brightest));
   std::vector<Reference> references;
