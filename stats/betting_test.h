@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <fairlight/stats/log_product.h>
 #include <fairlight/stats/moments.h>
 #include <fairlight/stats/verdict.h>
@@ -113,6 +115,11 @@ class BettingTest {
     double bet;  // l, before the cap that keeps a process positive
   };
 
+  struct Stakes {  // of one side: what was bet, on what, and the most that may be
+    Eigen::ArrayXd bets, on;
+    double largest;
+  };
+
   struct Gains {  // of two processes, one that bets on bright draws and one that bets on dark ones
     double up, down;
   };
@@ -123,7 +130,8 @@ class BettingTest {
   double spread() const;
   Gains refute(const Block& block, double bet) const;
   Gains certify(const Block& block, double bet, double margin) const;
-  double evidence(double candidate, bool above) const;
+  Stakes stakes(bool above) const;
+  double evidence(const Stakes& stakes, double candidate) const;
   double end_of_interval(bool above) const;
   void decide();
 

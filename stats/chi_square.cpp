@@ -79,6 +79,10 @@ ChiSquare chi_square(std::span<const std::uint64_t> counts, std::span<const doub
   return result;
 }
 
+std::size_t cells_left(std::span<const double> probabilities, double draws) {
+  return pool(std::vector<std::uint64_t>(probabilities.size()), probabilities, draws).size();
+}
+
 std::uint64_t draws_to_tell_apart(std::uint64_t cells, double distance, double alpha, double beta) {
   const auto degrees = static_cast<double>(cells - 1);
   const double critical = quantile(complement(boost::math::chi_squared(degrees), alpha / 2));

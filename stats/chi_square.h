@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -29,6 +30,9 @@ class TooFewDraws : public std::invalid_argument {
 /// cells are left.
 /// Source: Pearson 1900; Cochran 1952 for the pooling.
 ChiSquare chi_square(std::span<const std::uint64_t> counts, std::span<const double> probabilities);
+
+/// How many cells are left of `probabilities` where so many draws are pooled.
+std::size_t cells_left(std::span<const double> probabilities, double draws);
 
 /// The number of draws that separates the right law from every law at relative L2 distance `distance` or more,
 /// sqrt(sum (q_i - p_i)^2 / p_i), at level alpha (both tails) and miss rate beta.

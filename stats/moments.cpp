@@ -8,34 +8,56 @@
 
 namespace fairlight {
 
+namespace {
+
+using Eight = Eigen::Array<double, 8, 1>;
+
+// Calls f with the draws eight at a time; the last eight are filled up with `filler`.
+template <class F>
+void by_eights(std::span<const double> draws, double filler, const F& f) {
+  std::size_t i = 0;
+  for (; i + 8 <= draws.size(); i += 8) f(Eight(Eigen::Map<const Eight>(&draws[i])));
+  if (i == draws.size()) return;
+  Eight rest = Eight::Constant(filler);
+  for (Eigen::Index k = 0; i < draws.size(); ++i) rest[k++] = draws[i];
+  f(rest);
+}
+
+}  // namespace
+
 Moments Moments::of(std::span<const double> draws) {
   Moments moments;
   if (draws.empty()) return moments;
-  const Eigen::Map<const Eigen::ArrayXd> x(draws.data(), static_cast<Eigen::Index>(draws.size()));
   moments.count_ = draws.size();
-  moments.minimum_ = x.minCoeff<Eigen::PropagateNaN>();
-  moments.maximum_ = x.maxCoeff<Eigen::PropagateNaN>();
-  const bool equal = moments.minimum_ == moments.maximum_;  // whose mean is what they are, where a sum would round
-  moments.mean_ = equal ? moments.minimum_ : x.sum() / static_cast<double>(draws.size());
+  moments.minimum_ = moments.maximum_ = moments.mean_ = draws[0];
+  if (draws.size() == 1) return moments;
+  moments.add_mean(draws);
   moments.add_powers(draws);
   return moments;
 }
 
-// The powers of all deviations in one pass, eight at a time.
+// A not-a-number among the draws shows in their sum. Where all draws are equal the mean is what they are, where a sum would round.
+void Moments::add_mean(std::span<const double> draws) {
+  Eight least = Eight::Constant(draws[0]), most = least;
+  by_eights(draws, draws[0], [&](const Eight& x) {
+    least = least.min(x);
+    most = most.max(x);
+  });
+  const double sum = Eigen::Map<const Eigen::ArrayXd>(draws.data(), static_cast<Eigen::Index>(draws.size())).sum();
+  minimum_ = std::isnan(sum) ? sum : least.minCoeff();
+  maximum_ = std::isnan(sum) ? sum : most.maxCoeff();
+  if (minimum_ != maximum_) mean_ = sum / static_cast<double>(draws.size());
+}
+
+// The powers of all deviations.
 void Moments::add_powers(std::span<const double> draws) {
-  using Eight = Eigen::Array<double, 8, 1>;
   Eight squares = Eight::Zero(), cubes = Eight::Zero(), fourths = Eight::Zero();
-  const auto add = [&](const Eight& deviation) {
-    const Eight square = deviation.square();
+  by_eights(draws, mean_, [&](const Eight& x) {
+    const Eight deviation = x - mean_, square = deviation.square();
     squares += square;
     cubes += square * deviation;
     fourths += square.square();
-  };
-  std::size_t i = 0;
-  for (; i + 8 <= draws.size(); i += 8) add(Eigen::Map<const Eight>(&draws[i]) - mean_);
-  Eight rest = Eight::Zero();
-  for (Eigen::Index k = 0; i < draws.size(); ++i) rest[k++] = draws[i] - mean_;
-  add(rest);
+  });
   m2_ = squares.sum();
   m3_ = cubes.sum();
   m4_ = fourths.sum();
@@ -43,17 +65,15 @@ void Moments::add_powers(std::span<const double> draws) {
 
 void Moments::merge(const Moments& other) {
   if (other.count_ == 0) return;
-  const auto a = static_cast<double>(count_);
-  const auto b = static_cast<double>(other.count_);
-  const double n = a + b;
+  const double n = static_cast<double>(count_) + static_cast<double>(other.count_);
+  const double a = static_cast<double>(count_) / n, b = static_cast<double>(other.count_) / n;
   const double d = other.mean_ - mean_;
-  const double ab = a * (b / n);  // a b / n without overflow
-  m4_ += other.m4_ + d * d * d * d * ab * ((a * a - a * b + b * b) / (n * n)) +
-         6 * d * d * (a / n * (a / n) * other.m2_ + b / n * (b / n) * m2_) +
-         4 * d * (a / n * other.m3_ - b / n * m3_);
-  m3_ += other.m3_ + d * d * d * ab * ((a - b) / n) + 3 * d * (a / n * other.m2_ - b / n * m2_);
-  m2_ += other.m2_ + d * d * ab;
-  mean_ += d * (b / n);
+  const double spread = d * d * a * static_cast<double>(other.count_);  // of the two means, as what each stands for
+  m4_ += other.m4_ + d * d * spread * (a * a - a * b + b * b) + 6 * d * d * (a * a * other.m2_ + b * b * m2_) +
+         4 * d * (a * other.m3_ - b * m3_);
+  m3_ += other.m3_ + d * spread * (a - b) + 3 * d * (a * other.m2_ - b * m2_);
+  m2_ += other.m2_ + spread;
+  mean_ += d * b;
   count_ += other.count_;
   minimum_ = std::min(minimum_, other.minimum_);
   maximum_ = std::max(maximum_, other.maximum_);

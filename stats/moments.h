@@ -42,6 +42,7 @@ class Moments {
   double variance_of_variance() const;
 
  private:
+  void add_mean(std::span<const double> draws);
   void add_powers(std::span<const double> draws);
 
   std::uint64_t count_ = 0;

@@ -1,5 +1,9 @@
+#include <cmath>
+#include <numeric>
+
 #include <gtest/gtest.h>
 
+#include <fairlight/stats/chi_square.h>
 #include <fairlight/stats/law_test.h>
 
 // Draws that are laid out by hand, to show each way to fail.
@@ -50,6 +54,31 @@ TEST(TestCounts, NamesTheOneCellThatIsWrong) {
   const Finding finding = test_counts(trial, even_cells(16), one_off);
   EXPECT_EQ(finding.verdict, Verdict::biased);
   EXPECT_TRUE(finding.note.starts_with("cell 3 has ")) << finding.note;
+}
+
+// Of three looks, each with a third of the rates.
+double most_draws(std::size_t cells) {
+  return static_cast<double>(draws_to_tell_apart(cells, trial.margin, trial.alpha / 6, trial.beta / 3));
+}
+
+TEST(TestCounts, IsMostlyDoneAtTheFirstLook) {
+  const Finding finding = test_counts(trial, even_cells(16), plausible);
+  EXPECT_EQ(static_cast<double>(finding.draws), std::ceil(0.35 * most_draws(16)));
+}
+
+// A cell that expects 120 draws at the end expects 42 and 60 at the first two looks, where it would be pooled with its neighbour.
+TEST(TestCounts, DoesNotLookWhereCellsArePooledThatTheEndHasApart) {
+  const double few = 120 / most_draws(16);
+  LawCells cells = even_cells(16);
+  for (double& p : cells.probabilities) p = (1 - few) / 15;
+  cells.probabilities[3] = few;
+  const auto expected = [&](std::uint64_t draws) {
+    Counts counts;
+    for (double p : cells.probabilities) counts.push_back(static_cast<std::uint64_t>(p * static_cast<double>(draws)));
+    counts[0] += draws - std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+    return counts;
+  };
+  EXPECT_EQ(static_cast<double>(test_counts(trial, cells, expected).draws), most_draws(16));
 }
 
 TEST(TestCounts, RefusesCountsThatDoNotAddUp) {

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,6 +10,8 @@
 
 namespace fairlight {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Moments, OfThreeNumbers) {
   const std::vector<double> draws{1, 2, 6};
@@ -52,6 +56,25 @@ TEST(Moments, OfEqualDrawsHaveNoShape) {
   EXPECT_EQ(Moments::of(draws).skewness(), 0);
   EXPECT_EQ(Moments::of(draws).kurtosis(), 0);
   EXPECT_EQ(Moments::of(draws).variance_of_variance(), 0);
+}
+
+TEST(Moments, ShowANumberThatIsNone) {
+  for (std::size_t bad = 0; bad < 19; ++bad) {  // in the first eight, the last, and the rest
+    std::vector<double> draws(19, 1.0);
+    draws[bad] = std::nan("");
+    const Moments moments = Moments::of(draws);
+    EXPECT_TRUE(std::isnan(moments.minimum()) && std::isnan(moments.maximum()) && std::isnan(moments.mean()));
+  }
+}
+
+TEST(Moments, HaveTheirExtremesAnywhere) {
+  for (std::size_t place = 0; place < 19; ++place) {
+    std::vector<double> draws(19, 1.0);
+    draws[place] = -3;
+    EXPECT_EQ(Moments::of(draws).minimum(), -3);
+    draws[place] = infinity;
+    EXPECT_EQ(Moments::of(draws).maximum(), infinity);
+  }
 }
 
 // 2^40 draws of 0 and 1, by doubling: mean 1/2, variance 1/4, no skewness, kurtosis 1.
