@@ -34,7 +34,7 @@ double log_mixture(const std::array<LogProduct, 3>& products) {
   return top + std::log(sum);
 }
 
-// Of that l, what is bet: it costs 1 % of the growth, and an unlucky course takes a tenth less time to come through.
+// What is bet of the best l: it costs 1 % of the growth, and less of an unlucky course.
 constexpr double part_of_best_bet = 0.9;
 
 // The l that makes E[log(1 + l Y)] greatest, to third order in l, for Y of mean m, variance s^2 and third central moment -t, the
@@ -48,7 +48,7 @@ double bet_on(double margin, double variance, double skew) {
 // What a process may gain or lose of itself in one block, at the stake that its room allows.
 double return_of(double bet, double room, double gain) { return std::min(bet, largest_stake / room) * gain; }
 
-// On right code log U1 and log D1 drift by K/2 with variance K after n = K variance/margin^2 draws, so each is short of
+// On right code log U1 and log D1 at their best bets drift by K/2 with variance K after n = K variance/margin^2 draws, so each is short of
 // log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta): the K at which to give up. Half as much again pays
 // for bets placed before the variance is known.
 double drift_to_wait_for(double alpha, double beta) {
@@ -261,7 +261,7 @@ double BettingTest::evidence(const Stakes& stakes, double candidate) const {
   return log_mixture(wealth) - std::log(mixture_weights[0] / beta_);
 }
 
-// An end is mostly between the mean of the draws and a few margins from it; else it is looked for up to the bound, and as far
+// An end is mostly within the margin, or a few margins from the mean of the draws; else it is looked for up to the bound, and as far
 // the other way as the bets can be paid.
 double BettingTest::end_of_interval(bool above) const {
   const auto& h = hypothesis_;
@@ -273,10 +273,12 @@ double BettingTest::end_of_interval(bool above) const {
   double at_open = excess(open);
   if (at_open >= 0) at_open = excess(open = limit);
   if (at_open >= 0) return limit;
-  double proven = open - 4 * sign * h.margin;
-  if (sign * (proven - bound) < 0) proven = bound;
-  double at_proven = excess(proven);
-  if (at_proven < 0) at_proven = excess(proven = bound);
+  double proven = bound, at_proven = -1;
+  for (double candidate : {h.mean - sign * h.margin, open - 4 * sign * h.margin, bound}) {
+    if (sign * (candidate - bound) < 0 || sign * (open - candidate) <= 0) continue;
+    at_proven = excess(proven = candidate);
+    if (at_proven >= 0) break;
+  }
   if (at_proven < 0) return bound;
   const double low = std::min(open, proven), high = std::max(open, proven);
   std::uintmax_t iterations = 100;

@@ -22,18 +22,13 @@ struct Cell {
 
 std::vector<Cell> pool(std::span<const std::uint64_t> counts, std::span<const double> probabilities, double draws) {
   std::vector<Cell> cells;
-  Cell open;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    open.count += static_cast<double>(counts[i]);
-    open.expected += draws * probabilities[i];
-    if (open.expected >= least_expected) {
-      cells.push_back(open);
-      open = {};
+  std::size_t i = 0;
+  for (const std::size_t end : ends_of_groups(probabilities, draws)) {
+    Cell& cell = cells.emplace_back();
+    for (; i < end; ++i) {
+      cell.count += static_cast<double>(counts[i]);
+      cell.expected += draws * probabilities[i];
     }
-  }
-  if (!cells.empty()) {
-    cells.back().count += open.count;
-    cells.back().expected += open.expected;
   }
   return cells;
 }
@@ -79,8 +74,17 @@ ChiSquare chi_square(std::span<const std::uint64_t> counts, std::span<const doub
   return result;
 }
 
-std::size_t cells_left(std::span<const double> probabilities, double draws) {
-  return pool(std::vector<std::uint64_t>(probabilities.size()), probabilities, draws).size();
+std::vector<std::size_t> ends_of_groups(std::span<const double> probabilities, double draws) {
+  std::vector<std::size_t> ends;
+  double expected = 0;
+  for (std::size_t i = 0; i < probabilities.size(); ++i) {
+    expected += draws * probabilities[i];
+    if (expected < least_expected) continue;
+    ends.push_back(i + 1);
+    expected = 0;
+  }
+  if (!ends.empty()) ends.back() = probabilities.size();  // the last group has what is left
+  return ends;
 }
 
 std::uint64_t draws_to_tell_apart(std::uint64_t cells, double distance, double alpha, double beta) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include <fairlight/stats/verdict.h>
 
@@ -31,8 +32,9 @@ class TooFewDraws : public std::invalid_argument {
 /// Source: Pearson 1900; Cochran 1952 for the pooling.
 ChiSquare chi_square(std::span<const std::uint64_t> counts, std::span<const double> probabilities);
 
-/// How many cells are left of `probabilities` where so many draws are pooled.
-std::size_t cells_left(std::span<const double> probabilities, double draws);
+/// Where the groups end, each after its last cell, that cells are pooled into where so many draws are counted. Empty where there is
+/// not even one.
+std::vector<std::size_t> ends_of_groups(std::span<const double> probabilities, double draws);
 
 /// The number of draws that separates the right law from every law at relative L2 distance `distance` or more,
 /// sqrt(sum (q_i - p_i)^2 / p_i), at level alpha (both tails) and miss rate beta.

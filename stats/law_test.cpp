@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -74,34 +73,58 @@ Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std:
   return finding;
 }
 
-// The looks at the counts, as shares of the draws: right laws mostly have their verdict at the first, which a third look at most costs
-// a tenth of.
-constexpr std::array<double, 3> looks{0.35, 0.5, 1};
+// When counts are looked at, as numbers of draws, and the part of the error rates that a look has.
+struct Looks {
+  std::vector<std::uint64_t> at;
+  double part;
+};
 
-// Looks until there is a verdict; not where cells are pooled that the last look has apart.
-Finding look_at_counts(const Trial& trial, const LawCells& cells, const CountMore& count) {
-  const std::vector<double>& p = cells.probabilities;
-  constexpr double part = 1.0 / looks.size();
-  const std::uint64_t most = draws_to_tell_apart(p.size(), trial.margin, trial.alpha / 2 * part, trial.beta * part);
-  const auto all = static_cast<double>(most);
-  std::vector<std::uint64_t> counts(p.size());
-  std::uint64_t drawn = 0;
+// Right laws mostly have their verdict at the first of three. None is taken where cells are pooled otherwise than at the last.
+Looks looks_for(const Trial& trial, const std::vector<double>& probabilities) {
+  std::vector<double> shares{0.35, 0.5, 1};
+  for (;;) {
+    Looks looks{{}, 1 / static_cast<double>(shares.size())};
+    const auto most = static_cast<double>(draws_to_tell_apart(
+        probabilities.size(), trial.margin, trial.alpha / 2 * looks.part, trial.beta * looks.part));
+    for (double share : shares) looks.at.push_back(static_cast<std::uint64_t>(std::ceil(share * most)));
+    const auto groups = [&](double share) { return ends_of_groups(probabilities, std::ceil(share * most)); };
+    const auto otherwise = [&](double share) { return groups(share) != groups(1); };
+    if (std::erase_if(shares, otherwise) == 0) return looks;
+  }
+}
+
+// What counts say at a look, or that they cannot be what they are said to be.
+Finding seen(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts, std::uint64_t draws,
+             double part) try {
+  if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws) {
+    return refuted(trial, "the counts do not add up to the number of draws");
+  }
+  return with_token(trial, judged(trial, cells, counts, draws, part));
+} catch (const TooFewDraws& few) {
+  return undecided(trial, few.what());
+} catch (const std::invalid_argument& bad) {
+  return refuted(trial, bad.what());
+}
+
+Finding look_until_decided(const Trial& trial, const LawCells& cells, const Looks& looks, const CountMore& count) {
+  Evidence::Cells all{cells.rows, cells.columns, cells.probabilities, {}, 0};
+  all.counts.resize(cells.probabilities.size());
   Finding finding;
-  for (double look : looks) {
-    if (cells_left(p, look * all) < cells_left(p, all)) continue;
-    const auto draws = static_cast<std::uint64_t>(std::ceil(look * all));
+  std::uint64_t drawn = 0;
+  for (const std::uint64_t draws : looks.at) {
     const std::vector<std::uint64_t> more = count(draws - drawn);
-    std::transform(counts.begin(), counts.end(), more.begin(), counts.begin(), std::plus<>());
+    if (more.size() != all.counts.size()) return refuted(trial, "there must be one count for each cell of the law");
+    std::transform(more.begin(), more.end(), all.counts.begin(), all.counts.begin(), std::plus<>());
     drawn = draws;
-    if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws)
-      throw std::invalid_argument("the counts do not add up to the number of draws");
-    finding = judged(trial, cells, counts, draws, part);
+    all.draws = static_cast<double>(draws);
+    if (trial.evidence != nullptr) {
+      if (draws != looks.at.front()) trial.evidence->laws.pop_back();
+      trial.evidence->laws.push_back(all);
+    }
+    finding = seen(trial, cells, all.counts, draws, looks.part);
     if (finding.verdict != Verdict::undecided) break;
   }
-  if (trial.evidence != nullptr) {
-    trial.evidence->laws.push_back({cells.rows, cells.columns, p, counts, static_cast<double>(drawn)});
-  }
-  return with_token(trial, finding);
+  return finding;
 }
 
 }  // namespace
@@ -150,16 +173,13 @@ Finding test_counts(const Trial& trial, const LawCells& cells, const CountMore& 
   if (!(std::abs(total - 1) <= 1e-6 + cells.error)) {
     return refuted(trial, "the density integrates to " + std::to_string(total) + ", not to 1");
   }
+  const Looks looks = looks_for(trial, cells.probabilities);
   try {
-    return look_at_counts(trial, cells, count);
+    return look_until_decided(trial, cells, looks, count);
   } catch (const BadDraw& bad) {
     return refuted(trial, bad.what());
   } catch (const detail::ToldToEnd&) {
     return undecided(trial, told_to_end);
-  } catch (const TooFewDraws& few) {
-    return undecided(trial, few.what());
-  } catch (const std::invalid_argument& bad) {
-    return refuted(trial, bad.what());
   }
 }
 

@@ -65,8 +65,9 @@ using CountMore = std::function<std::vector<std::uint64_t>(std::uint64_t draws)>
 ///  * the probabilities sum to one within 1e-6 and the quadrature's error;
 ///  * chi-square on all cells, both tails, with at most as many draws as the margin (a relative L2 distance) asks for;
 ///  * the exact binomial law of every cell, so that one wrong cell among many is seen.
-/// There are three looks, which share alpha and beta evenly; right laws mostly have their verdict at the first, a third of the way. Each
-/// statistical part has half of alpha. Guarantee: asymptotic, as chi-square is.
+/// There are up to three looks, which share alpha and beta evenly; right laws mostly have their verdict at the first, a third of the way. Each
+/// statistical part has half of alpha. Guarantee: asymptotic, as chi-square is. Throws std::invalid_argument for a margin that asks for
+/// more than 10^15 draws.
 Finding test_counts(const Trial& trial, const LawCells& cells, const CountMore& count);
 
 /// The tails of a cell's binomial law: the probabilities of so few draws in it, and of so many. Both are 1 for a cell that
@@ -94,11 +95,13 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
     return detail::refuted_density(trial, bad.what());
   }
   std::uint64_t i = 0;
+  double done = 0;
   return test_counts(trial, cells, [&](std::uint64_t draws) {
     std::vector<std::uint64_t> counts(cells.probabilities.size());
     for (const std::uint64_t end = i + draws; i < end; ++i) {
-      if (i % 1024 == 1023 && !goes_on(trial, static_cast<double>(i) / static_cast<double>(end))) {
-        throw detail::ToldToEnd();
+      if (i % 1024 == 1023) {
+        done = std::max(done, static_cast<double>(i) / static_cast<double>(end));  // a look more is a surprise
+        if (!goes_on(trial, done)) throw detail::ToldToEnd();
       }
       const auto x = draw(i);
       const double density = pdf(x);

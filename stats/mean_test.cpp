@@ -16,7 +16,9 @@ std::uint64_t next_block(const std::vector<BettingTest>& tests) {
   if (std::ranges::any_of(tests, [](const BettingTest& t) { return t.verdict() == Verdict::biased; })) return 0;
   std::uint64_t block = 0;
   for (const BettingTest& test : tests) {
-    if (open(test)) block = block == 0 ? test.block_size() : std::min(block, test.block_size());
+    if (!open(test)) continue;
+    const std::uint64_t next = test.block_size();
+    block = block == 0 ? next : std::min(block, next);
   }
   return block;
 }

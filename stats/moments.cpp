@@ -36,16 +36,18 @@ Moments Moments::of(std::span<const double> draws) {
   return moments;
 }
 
-// A not-a-number among the draws shows in their sum. Where all draws are equal the mean is what they are, where a sum would round.
+// Only where the sum is not a number may one be among the draws, which takes longer to look for. Where all draws are equal the mean is
+// what they are, where a sum would round.
 void Moments::add_mean(std::span<const double> draws) {
+  const Eigen::Map<const Eigen::ArrayXd> all(draws.data(), static_cast<Eigen::Index>(draws.size()));
   Eight least = Eight::Constant(draws[0]), most = least;
   by_eights(draws, draws[0], [&](const Eight& x) {
     least = least.min(x);
     most = most.max(x);
   });
-  const double sum = Eigen::Map<const Eigen::ArrayXd>(draws.data(), static_cast<Eigen::Index>(draws.size())).sum();
-  minimum_ = std::isnan(sum) ? sum : least.minCoeff();
-  maximum_ = std::isnan(sum) ? sum : most.maxCoeff();
+  const double sum = all.sum();
+  minimum_ = std::isnan(sum) ? all.minCoeff<Eigen::PropagateNaN>() : least.minCoeff();
+  maximum_ = std::isnan(sum) ? all.maxCoeff<Eigen::PropagateNaN>() : most.maxCoeff();
   if (minimum_ != maximum_) mean_ = sum / static_cast<double>(draws.size());
 }
 

@@ -13,7 +13,7 @@ namespace fairlight {
 /// Source   Chan, Golub, LeVeque 1979; Pebay 2008, "Formulas for robust, one-pass parallel computation"
 class Moments {
  public:
-  /// The moments of one block of draws, in two passes. Not-a-numbers and infinities go through to the results.
+  /// The moments of one block of draws, from its mean. Not-a-numbers and infinities go through to the results.
   static Moments of(std::span<const double> draws);
 
   void merge(const Moments& other);

@@ -76,6 +76,7 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("ledger merge none -o a", "none");
   expect_bad_input("verify pick --seed 12345678901234567", "12345678901234567");
   expect_bad_input("verify importance --margin 1e-6", "cannot be tested on these terms");
+  expect_bad_input("verify hemisphere.cosine.law --margin 1e-8", "cannot be tested on these terms");
   expect_bad_input("verify pick --seconds 0", "seconds");
   expect_bad_input("verify pick --seconds -1", "seconds");
   expect_bad_input("verify pick --seconds soon", "seconds");

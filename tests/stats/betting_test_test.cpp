@@ -89,11 +89,12 @@ TEST(BettingTest, NeedsEachAcceptProcessToReachOneOverBeta) {
   int blocks = 0;
   while (test.verdict() == Verdict::undecided) {
     const double spread = 0.25 / std::max(blocks, 1);  // no deviation yet, but what may not have been seen
-    const double bet = std::min(margin / (spread + margin * margin), 0.9 / (0.5 - margin));
+    const double best = margin / (spread + margin * margin), bet = std::min(0.9 * best, 0.9 / (0.5 - margin));
     log_wealth += std::log1p(bet * margin);
     test.add(mean);
     ++blocks;
     ASSERT_LT(blocks, 1000);
+    EXPECT_NEAR(test.wealth().not_brighter, log_wealth, 1e-12 * blocks);
     EXPECT_EQ(test.verdict() == Verdict::certified, log_wealth >= std::log(1 / beta));
   }
 }

@@ -67,5 +67,15 @@ TEST(DrawsToTellApart, GrowWithTheInverseSquareOfTheDistance) {
   EXPECT_NEAR(fine / coarse, 100, 1e-3);
 }
 
+// 1000 draws expect 100, 50, 50, 700, 60 and 40 of these cells.
+TEST(ChiSquare, PoolsNeighboursUntilTheyExpectEighty) {
+  const std::vector<double> p{0.1, 0.05, 0.05, 0.7, 0.06, 0.04};
+  EXPECT_EQ(ends_of_groups(p, 1000), (std::vector<std::size_t>{1, 3, 4, 6}));
+  EXPECT_EQ(ends_of_groups(p, 2000), (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(ends_of_groups(p, 950), (std::vector<std::size_t>{1, 3, 4, 6}));  // 95 for the last two
+  EXPECT_EQ(ends_of_groups(p, 700), (std::vector<std::size_t>{2, 6}));        // 105, then 35 + 490, and 70 left over
+  EXPECT_TRUE(ends_of_groups(p, 70).empty());
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/stats/chi_square.h>
+#include <fairlight/stats/evidence.h>
 #include <fairlight/stats/law_test.h>
 
 // Draws that are laid out by hand, to show each way to fail.
@@ -56,29 +57,72 @@ TEST(TestCounts, NamesTheOneCellThatIsWrong) {
   EXPECT_TRUE(finding.note.starts_with("cell 3 has ")) << finding.note;
 }
 
-// Of three looks, each with a third of the rates.
-double most_draws(std::size_t cells) {
-  return static_cast<double>(draws_to_tell_apart(cells, trial.margin, trial.alpha / 6, trial.beta / 3));
+// With so many looks, which share the rates evenly.
+double most_draws(std::size_t cells, double looks) {
+  return static_cast<double>(
+      draws_to_tell_apart(cells, trial.margin, trial.alpha / 2 / looks, trial.beta / looks));
 }
 
 TEST(TestCounts, IsMostlyDoneAtTheFirstLook) {
   const Finding finding = test_counts(trial, even_cells(16), plausible);
-  EXPECT_EQ(static_cast<double>(finding.draws), std::ceil(0.35 * most_draws(16)));
+  EXPECT_EQ(static_cast<double>(finding.draws), std::ceil(0.35 * most_draws(16, 3)));
 }
 
-// A cell that expects 120 draws at the end expects 42 and 60 at the first two looks, where it would be pooled with its neighbour.
+// The first counts deviate by 1.4 standard errors each, a statistic of 31 where 15 are expected; the others not at all.
+TEST(TestCounts, LooksAgainAtAllThatWasCounted) {
+  std::vector<std::uint64_t> asked;
+  const auto calmer = [&](std::uint64_t draws) {
+    Counts counts(16, draws / 16);
+    const double deviation = asked.empty() ? 1.4 * std::sqrt(static_cast<double>(draws) / 16) : 0;
+    for (std::size_t i = 0; i < 16; i += 2) {
+      counts[i] += static_cast<std::uint64_t>(deviation);
+      counts[i + 1] -= static_cast<std::uint64_t>(deviation);
+    }
+    counts[0] += draws % 16;
+    asked.push_back(draws);
+    return counts;
+  };
+  Evidence evidence;
+  Trial seen = trial;
+  seen.evidence = &evidence;
+  const Finding finding = test_counts(seen, even_cells(16), calmer);
+  EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_EQ(static_cast<double>(asked[0] + asked[1]), std::ceil(0.5 * most_draws(16, 3)));
+  EXPECT_EQ(finding.draws, asked[0] + asked[1]);
+  ASSERT_EQ(evidence.laws.size(), 1u);
+  const Counts& all = evidence.laws[0].counts;
+  EXPECT_EQ(std::accumulate(all.begin(), all.end(), std::uint64_t{0}), finding.draws);
+}
+
+// A cell that expects 120 draws at the end expects 42 and 60 before, where it would be pooled with its neighbour: there is one look.
 TEST(TestCounts, DoesNotLookWhereCellsArePooledThatTheEndHasApart) {
-  const double few = 120 / most_draws(16);
+  const double few = 120 / most_draws(16, 1);
   LawCells cells = even_cells(16);
   for (double& p : cells.probabilities) p = (1 - few) / 15;
   cells.probabilities[3] = few;
   const auto expected = [&](std::uint64_t draws) {
     Counts counts;
-    for (double p : cells.probabilities) counts.push_back(static_cast<std::uint64_t>(p * static_cast<double>(draws)));
+    for (double p : cells.probabilities)
+      counts.push_back(static_cast<std::uint64_t>(p * static_cast<double>(draws)));
     counts[0] += draws - std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     return counts;
   };
-  EXPECT_EQ(static_cast<double>(test_counts(trial, cells, expected).draws), most_draws(16));
+  EXPECT_EQ(static_cast<double>(test_counts(trial, cells, expected).draws), most_draws(16, 1));
+}
+
+TEST(TestCounts, RefusesCountsOfOtherCells) {
+  for (std::size_t n : {15, 17}) {
+    const Finding finding = test_counts(trial, even_cells(16), [&](std::uint64_t) { return Counts(n, 1); });
+    EXPECT_EQ(finding.verdict, Verdict::biased);
+    EXPECT_NE(finding.note.find("one count for each cell"), std::string::npos) << finding.note;
+  }
+}
+
+TEST(TestCounts, RefusesAMarginThatNoCountCanReach) {
+  Trial fine = trial;
+  fine.margin = 1e-8;
+  EXPECT_THROW(test_counts(fine, even_cells(16), plausible), std::invalid_argument);
 }
 
 TEST(TestCounts, RefusesCountsThatDoNotAddUp) {
