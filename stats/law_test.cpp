@@ -57,7 +57,8 @@ Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std:
                std::uint64_t draws, double part) {
   const ChiSquare result = chi_square(counts, cells.probabilities);
   const double alpha = trial.alpha / 2 * part;
-  Finding finding{judge(result, draws, trial.margin, alpha, trial.beta * part), Guarantee::asymptotic, trial.margin};
+  Finding finding{judge(result, draws, trial.margin, alpha, trial.beta * part), Guarantee::asymptotic,
+                  trial.margin};
   finding.note = "asymptotic: chi-square's law is the limit of many draws (every cell here expects at least 80)";
   const auto n = static_cast<double>(draws);
   finding.draws = draws;
@@ -94,8 +95,8 @@ Looks looks_for(const Trial& trial, const std::vector<double>& probabilities) {
 }
 
 // What counts say at a look, or that they cannot be what they are said to be.
-Finding seen(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts, std::uint64_t draws,
-             double part) try {
+Finding seen(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts,
+             std::uint64_t draws, double part) try {
   if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws) {
     return refuted(trial, "the counts do not add up to the number of draws");
   }

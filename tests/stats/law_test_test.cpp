@@ -59,8 +59,7 @@ TEST(TestCounts, NamesTheOneCellThatIsWrong) {
 
 // With so many looks, which share the rates evenly.
 double most_draws(std::size_t cells, double looks) {
-  return static_cast<double>(
-      draws_to_tell_apart(cells, trial.margin, trial.alpha / 2 / looks, trial.beta / looks));
+  return static_cast<double>(draws_to_tell_apart(cells, trial.margin, trial.alpha / 2 / looks, trial.beta / looks));
 }
 
 TEST(TestCounts, IsMostlyDoneAtTheFirstLook) {

@@ -1,0 +1,48 @@
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include <fairlight/estimators/ggx_albedo.h>
+
+namespace fairlight {
+namespace {
+
+/// The first lane of what facets without colour and absorption reflect.
+template <class Real>
+double white(double alpha_x, double alpha_y, const Vec3<double>& out) {
+  const auto one = [](const Real&) { return Real(1); };
+  const auto albedo =
+      ggx_albedo<Real>(Ggx<Real>(rounded<Real>(alpha_x), rounded<Real>(alpha_y)), out.cast<Real>(), one);
+  std::array<double, lanes<Real>> values{};
+  store_lanes(albedo, values.data());
+  return values[0];
+}
+
+template <class Real>
+class GgxAlbedo : public ::testing::Test {
+ public:
+  // Of two values, each to the 2e-6 that is stated; and what floats add.
+  static constexpr double apart = lanes<Real> > 1 ? 1e-5 : 4e-6;
+};
+using Arithmetics = ::testing::Types<double, Packet>;
+TYPED_TEST_SUITE(GgxAlbedo, Arithmetics);
+
+// Along both axes, in whose planes the light's turn is cut, and between them.
+TYPED_TEST(GgxAlbedo, OfOneRoughnessIsTheSameAllRound) {
+  const double ahead = white<TypeParam>(0.5, 0.5, {0.6, 0, 0.8});
+  EXPECT_NEAR(white<TypeParam>(0.5, 0.5, {0, 0.6, 0.8}), ahead, this->apart);
+  EXPECT_NEAR(white<TypeParam>(0.5, 0.5, {-0.36, 0.48, 0.8}), ahead, this->apart);
+}
+
+TYPED_TEST(GgxAlbedo, TurnsWithTheFacets) {
+  EXPECT_NEAR(white<TypeParam>(0.1, 0.5, {0, 0.6, 0.8}), white<TypeParam>(0.5, 0.1, {0.6, 0, 0.8}), this->apart);
+  EXPECT_NEAR(white<TypeParam>(0.1, 0.5, {0.48, 0.36, 0.8}), white<TypeParam>(0.5, 0.1, {0.36, -0.48, 0.8}),
+              this->apart);
+}
+
+TYPED_TEST(GgxAlbedo, OfSmoothFacetsIsOne) {
+  EXPECT_NEAR(white<TypeParam>(1e-3, 1e-3, {0, 0.6, 0.8}), 1, this->apart);
+}
+
+}  // namespace
+}  // namespace fairlight
