@@ -159,6 +159,7 @@ TEST(Watch, IsToldHowMuchIsDoneAndThatGrows) {
   const auto watch = [&](double done) {
     EXPECT_GT(done, 0);
     EXPECT_LT(done, 1);
+    EXPECT_GE(done, before);
     before = done;
     return true;
   };
