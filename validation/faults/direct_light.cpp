@@ -1,8 +1,10 @@
+#include <fairlight/validation/agreements/paired_boxes.h>
 #include <fairlight/validation/analytic/closed_scenes.h>
 #include <fairlight/validation/analytic/furnace.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_direct_light.h>
+#include <fairlight/validation/faults/wrong_tracers.h>
 
 namespace fairlight {
 namespace {
@@ -23,6 +25,7 @@ std::vector<Claim> with_mirror(const std::string& how) {
 std::vector<Fault> direct_light_faults() {
   using AtWrongVertex = DirectLight<AllOf, faults::DensityAtWrongVertex, Shared<>>;
   using InFull = DirectLight<AllOf, PointsBy<SphereByCone>, faults::SharedByShadowRaysAlone>;
+  using Mixed = DirectLight<AllOf, PointsBy<SphereByCone>, faults::MixedHeuristics>;
   using LitByThemselves = DirectLight<AllOf, faults::RectanglesLightThemselves>;
   return {
       {"emission-twice", "double count", "the paper, A.2", in_furnace<faults::EmissionTwice>()},
@@ -34,7 +37,12 @@ std::vector<Fault> direct_light_faults() {
       {"mirror-with-density", "MIS of a delta", "three-gpu-pathtracer #174",
        with_mirror<faults::MirrorsWithDensity>("shared")},
       {"mis-density-at-wrong-vertex", "MIS sum", "mitsuba aa325039f", {mean_claim(shared_light<AtWrongVertex>())}},
-      {"mis-bounces-in-full", "MIS sum", "Moer #59", {mean_claim(shared_light<InFull>())}},
+      {"mis-bounces-in-full",
+       "MIS sum",
+       "Moer #59",
+       {mean_claim(shared_light<InFull>()),
+        paired_claim<WholePicture, faults::SharedInFull>(measured_box_shared(), measured_box_picture(), 4)}},
+      {"mis-heuristics-mixed", "MIS sum", "the class of Moer #59", {mean_claim(shared_light<Mixed>())}},
       {"mis-light-probability-forgotten",
        "luminaire probability",
        "redner #56",

@@ -1,8 +1,8 @@
-#include <fairlight/validation/agreements/scene_agreements.h>
 #include <fairlight/validation/analytic/point_sets.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_point_sets.h>
 #include <fairlight/validation/laws.h>
+#include <fairlight/validation/padded_sets.h>
 
 namespace fairlight {
 namespace {
@@ -44,8 +44,7 @@ Fault one_vertex() {
           "the class of SORT #35",
           {point_moments_claim<double>(wrong), point_moments_claim<Packet>(wrong),
            vertices_claim<double, faults::OneVertexSobol>("padded_sobol", {}),
-           vertices_claim<Packet, faults::OneVertexSobol>("padded_sobol", {}),
-           cornell_by_sets<Packet, faults::OneVertexSobol>("sobol", "")}};
+           vertices_claim<Packet, faults::OneVertexSobol>("padded_sobol", {})}};
 }
 
 Fault same_order() {

@@ -1,4 +1,4 @@
-#include <fairlight/validation/agreements/paired_boxes.h>
+#include <fairlight/validation/agreements/scene_relations.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_tracers.h>
 
@@ -29,11 +29,6 @@ std::vector<Fault> relation_faults() {
            "the class of SORT #29",
            {same_paths<double, FromAMicron>(smaller("cornell-materials"))}},
           {"shadow-rays-by-the-origin", "epsilon", "mitsuba3 #1962", {mean_claim_alone<double>(far_away<ByTheOrigin>(0))}},
-          {"mis-heuristics-mixed",
-           "MIS sum",
-           "the class of Moer #59",
-           {paired_claim<WholePicture, faults::SharedByMixedHeuristics>(measured_box_shared(),
-                                                                        measured_box_picture(), 4)}},
           {"surface-zero-is-none",
            "index",
            "the class of an index that is asked whether it is true",

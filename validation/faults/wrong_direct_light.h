@@ -69,6 +69,14 @@ struct SharedByShadowRaysAlone : Shared<> {
   }
 };
 
+/// Shadow rays are weighted by the power heuristic, and bounces by the balance heuristic. Of the class of Moer #59.
+struct MixedHeuristics : Shared<> {
+  template <class Measure, class Real>
+  static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
+    return i == 0 ? PowerHeuristic::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
+  }
+};
+
 /// Which light a shadow ray looks for is drawn, but bounces leave its probability out of their weights. On record: redner #56.
 struct ChanceForgottenByBounces : DirectLight<OneOf, PointsBy<SphereByCone>, Shared<>> {
   template <class Real, class Scene>

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fairlight/render/strategies.h>
+#include <fairlight/validation/faults/wrong_direct_light.h>
 
 /// Wrong path tracers, and scenes that answer their rays wrongly; each a bug that somebody shipped, or of its class.
 namespace fairlight::faults {
@@ -133,17 +134,11 @@ struct NormalsUpwards : SceneAsIs<Scene> {
   }
 };
 
-/// Shadow rays are weighted by the power heuristic, and bounces by the balance heuristic. Of the class of Moer #59.
-struct MixedHeuristics : Shared<> {
-  template <class Measure, class Real>
-  static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
-    return i == 0 ? PowerHeuristic::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
-  }
-};
+/// What a bounce finds is counted in full, by any strategies.
 template <class Real>
-struct SharedByMixedHeuristics : DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics> {
-  using Right = DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics>;
-  SharedByMixedHeuristics(const Strategies& strategies, const Scene& scene)
+struct SharedInFull : DirectLight<ChosenLuminaires<Real>, ChosenPoints, SharedByShadowRaysAlone> {
+  using Right = DirectLight<ChosenLuminaires<Real>, ChosenPoints, SharedByShadowRaysAlone>;
+  SharedInFull(const Strategies& strategies, const Scene& scene)
       : Right(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}) {}
 };
 
