@@ -118,13 +118,10 @@ Finding look_until_decided(const Trial& trial, const LawCells& cells, const Look
     std::transform(more.begin(), more.end(), all.counts.begin(), all.counts.begin(), std::plus<>());
     drawn = draws;
     all.draws = static_cast<double>(draws);
-    if (trial.evidence != nullptr) {
-      if (draws != looks.at.front()) trial.evidence->laws.pop_back();
-      trial.evidence->laws.push_back(all);
-    }
     finding = seen(trial, cells, all.counts, draws, looks.part);
     if (finding.verdict != Verdict::undecided) break;
   }
+  if (trial.evidence != nullptr) trial.evidence->laws.push_back(all);
   return finding;
 }
 

@@ -94,13 +94,14 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
   } catch (const std::domain_error& bad) {
     return detail::refuted_density(trial, bad.what());
   }
-  std::uint64_t i = 0;
+  std::uint64_t i = 0;  // runs on over the looks
   double done = 0;
   return test_counts(trial, cells, [&](std::uint64_t draws) {
     std::vector<std::uint64_t> counts(cells.probabilities.size());
     for (const std::uint64_t end = i + draws; i < end; ++i) {
       if (i % 1024 == 1023) {
-        done = std::max(done, static_cast<double>(i) / static_cast<double>(end));  // a look more is a surprise
+        // Of this look, which is mostly the last; it does not fall where there is another.
+        done = std::max(done, static_cast<double>(i) / static_cast<double>(end));
         if (!goes_on(trial, done)) throw detail::ToldToEnd();
       }
       const auto x = draw(i);

@@ -126,8 +126,8 @@ TEST(Account, RefusesRunsOfOtherChannels) {
   EXPECT_THROW(account.append(Account(Ladder{2, {{nothing}, {nothing}}})), std::invalid_argument);
 }
 
-// Draws that are all 0.5 + x: every process is a product of known factors, with nine tenths of the best bets. Those of the first two blocks are made at the
-// largest variance, 0.25, that of the third at half of it (see BettingTest::spread).
+// Draws that are all 0.5 + x: every process is a product of known factors, with nine tenths of the best bets. Those of the first
+// two blocks are made at the largest variance, 0.25, that of the third at half of it (see BettingTest::spread).
 TEST(WealthFor, IsWhatOtherBetsOnTheSameBlocksMake) {
   const double x = 0.05;
   BettingTest test({0.5, 0.1, 0, 1}, 1e-6, 0.01);

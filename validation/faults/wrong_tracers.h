@@ -134,11 +134,11 @@ struct NormalsUpwards : SceneAsIs<Scene> {
   }
 };
 
-/// What a bounce finds is counted in full, by any strategies.
+/// Light is shared by mixed heuristics, whatever the other strategies.
 template <class Real>
-struct SharedInFull : DirectLight<ChosenLuminaires<Real>, ChosenPoints, SharedByShadowRaysAlone> {
-  using Right = DirectLight<ChosenLuminaires<Real>, ChosenPoints, SharedByShadowRaysAlone>;
-  SharedInFull(const Strategies& strategies, const Scene& scene)
+struct SharedByMixedHeuristics : DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics> {
+  using Right = DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics>;
+  SharedByMixedHeuristics(const Strategies& strategies, const Scene& scene)
       : Right(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}) {}
 };
 
