@@ -6,6 +6,7 @@
 #include <fairlight/estimators/glossy.h>
 #include <fairlight/validation/analytic/ggx_albedo.h>
 #include <fairlight/validation/analytic/glossy.h>
+#include <fairlight/validation/analytic/materials.h>
 
 // What the surfaces say that they reflect, against quadratures of another kind, in other coordinates.
 namespace fairlight {
@@ -62,6 +63,18 @@ TEST(Albedo, OfAnEnergyCompensatedConductorIsTheIntegralOfBothItsLobes) {
   for (double z : {0.1, 0.6, 1.0}) {
     const Vec3<double> out = seen_at(z, 0.7);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(surface.albedo(out)[c], integrated(surface, out, c), 1e-6) << z;
+  }
+}
+
+// Along the surface light is neither outside nor inside.
+TEST(EnergyWeight, IsOneFromAboveFromBelowAndAlongTheSurface) {
+  const Dielectric<double> glass(1.5);
+  for (double z : {1.0, 0.8, 1e-9, 0.0, -1e-9, -0.6, -0.8, -1.0}) {
+    const Vec3<double> out = seen_at(z, 0.3);
+    for (double u : {0.0, 0.5, 1 - 0x1p-53}) {
+      const auto bounce = glass.sample(out, Eigen::Matrix<double, 1, 1>(u));
+      EXPECT_DOUBLE_EQ(energy_weight(glass, out, bounce), 1) << z << ' ' << u;
+    }
   }
 }
 

@@ -117,17 +117,24 @@ inline auto fresnel_diffuse(const std::string& name) {
                     draw};
 }
 
-/// What cannot be lost: the weight of a bounce with the density of radiance undone, w eta^2 where it was refracted, is 1
-/// for light from all sides.
+/// The weight of a bounce off glass with the density of radiance undone: w eta^2 where it was refracted, to the other side. One
+/// `out` of 2^24 lies along the surface itself, on neither side, and all of it is reflected.
+template <class Glass>
+typename Glass::Scalar energy_weight(const Glass& glass, const Vec3<typename Glass::Scalar>& out,
+                                     const Bounce<typename Glass::Scalar>& bounce) {
+  using Real = typename Glass::Scalar;
+  const Real eta = select(bounce.in.z() * out.z() < Real(0), glass.eta(out), Real(1));
+  return bounce.weight[0] * eta * eta;
+}
+
+/// What cannot be lost: that weight is 1 for light from all sides.
 template <class Real, template <class> class Glass>
 Claim glass_energy(const std::string& name) {
   const auto check = [](const Trial& trial) {
     return check_constant<Real>(trial, 1, 4, [](auto& source) {
       const Glass<Real> glass(rounded<Real>(detail::glass_index));
       const Vec3<Real> out = UniformSphereArea<Real>(Real(1)).sample(next_pair<Real>(source));
-      const Bounce<Real> bounce = detail::bounce(glass, out, source);
-      const Real eta = select(bounce.in.z() * out.z() > Real(0), Real(1), glass.eta(out));
-      return Real(bounce.weight[0] * eta * eta);
+      return energy_weight(glass, out, detail::bounce(glass, out, source));
     });
   };
   return {.name = name + real_suffix<Real>(),
