@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -65,6 +66,11 @@ xsimd::batch<std::int32_t, A> index_of(const xsimd::batch<std::uint32_t, A>& wor
   return xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(word);
 }
 
+template <class A>
+xsimd::batch<std::uint32_t, A> word_of(const xsimd::batch<std::int32_t, A>& index) {
+  return xsimd::bitwise_cast<xsimd::batch<std::uint32_t, A>>(index);
+}
+
 template <class Real, class A>
 Mask<Real> same_index(const xsimd::batch<std::int32_t, A>& a, const xsimd::batch<std::int32_t, A>& b) {
   return xsimd::to_float(a) == xsimd::to_float(b);
@@ -90,6 +96,24 @@ inline std::uint32_t lane_bits(const xsimd::batch_bool<float>& mask) {
   std::uint32_t bits = 0;
   for (std::size_t i = 0; i < held.size(); ++i) bits |= std::uint32_t{held[i]} << i;
   return bits;
+}
+#endif
+
+#if defined(__AVX512F__)
+inline xsimd::batch<float> expand(std::uint32_t bits, const float* next, const xsimd::batch<float>& kept) {
+  return _mm512_mask_expandloadu_ps(kept, static_cast<__mmask16>(bits), next);
+}
+inline xsimd::batch<std::uint32_t> expand(std::uint32_t bits, const std::uint32_t* next,
+                                          const xsimd::batch<std::uint32_t>& kept) {
+  return _mm512_mask_expandloadu_epi32(kept, static_cast<__mmask16>(bits), next);
+}
+#else
+template <class Number>
+xsimd::batch<Number> expand(std::uint32_t bits, const Number* next, const xsimd::batch<Number>& kept) {
+  std::array<Number, xsimd::batch<Number>::size> values;
+  kept.store_unaligned(values.data());
+  for (; bits != 0; bits &= bits - 1) values[static_cast<std::size_t>(std::countr_zero(bits))] = *next++;
+  return xsimd::batch<Number>::load_unaligned(values.data());
 }
 #endif
 

@@ -67,10 +67,11 @@ inline bool all(bool mask) { return mask; }
 inline int whole(double x) { return static_cast<int>(x); }
 inline int whole(float x) { return static_cast<int>(x); }
 
-/// The first 24 bits of a number in [0,1), at the top of a word; and a word below 2^31 as an index.
+/// The first 24 bits of a number in [0,1), at the top of a word; and a word below 2^31 as an index, or an index as a word.
 inline std::uint32_t leading_bits(double x) { return static_cast<std::uint32_t>(x * 0x1p24) << 8; }
 inline std::uint32_t leading_bits(float x) { return static_cast<std::uint32_t>(x * 0x1p24f) << 8; }
 inline int index_of(std::uint32_t word) { return static_cast<int>(word); }
+inline std::uint32_t word_of(int index) { return static_cast<std::uint32_t>(index); }
 
 /// The high and the low 32 bits of a product of words.
 inline std::array<std::uint32_t, 2> multiply_high_low(std::uint32_t a, std::uint32_t b) {
@@ -87,6 +88,12 @@ std::pair<Real, Real> sine_and_cosine_of_turn(Real turn) {
 
 /// The lanes where the mask holds, as bits.
 inline std::uint32_t lane_bits(bool mask) { return mask ? 1 : 0; }
+
+/// The numbers from `next` on, one to each lane whose bit is set, in the order of lanes; the others keep theirs.
+template <class Number>
+Number expand(std::uint32_t bits, const Number* next, const Number& kept) {
+  return bits != 0 ? *next : kept;
+}
 
 /// Where two indices are the same, below 2^24.
 template <class Real>

@@ -55,14 +55,16 @@ class Geometry {
 
   /// The first surface that a ray meets.
   Hit<Real> intersect(const Ray<Real>& ray) const {
-    Hit<Real> hit{Real(infinity<Real>), Real(-1)};
+    auto nearest = Crossing<Real>::nowhere();
+    Real surface(-1);
     each([&](const auto& shape, Real index) {
-      const Real distance = shape.distance(ray.origin, ray.direction, ray.leaving == index);
-      const Mask<Real> closer = distance < hit.distance;
-      hit.distance = select(closer, distance, hit.distance);
-      hit.surface = select(closer, index, hit.surface);
+      const Crossing<Real> crossing = shape.crossing(ray.origin, ray.direction, ray.leaving == index);
+      const Mask<Real> closer = crossing.before(nearest);
+      nearest = {select(closer, crossing.numerator, nearest.numerator),
+                 select(closer, crossing.denominator, nearest.denominator)};
+      surface = select(closer, index, surface);
     });
-    return hit;
+    return {nearest.distance(), surface};
   }
 
   /// Whether nothing but the surface `target` stands on the ray closer than `distance` [m]. The target is convex

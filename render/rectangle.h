@@ -17,8 +17,8 @@ struct Rectangle {
     return {plane.template in<Other>(), x.template cast<Other>(), y.template cast<Other>()};
   }
 
-  /// Along a unit direction, the distance [m] to the rectangle ahead; infinity where there is none, or where the origin is on it.
-  Real distance(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
+  /// The point of the rectangle ahead, along a unit direction; nowhere if the origin is on it.
+  Crossing<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
     using std::abs;
     const Real slope = plane.normal.dot(direction);
     const Vec3<Real> to_anchor = plane.anchor - origin;
@@ -26,13 +26,13 @@ struct Rectangle {
     const Mask<Real> ahead = t > Real(0) && !leaving;
     const Vec3<Real> place = direction * select(ahead, t, Real(0)) - to_anchor;
     const Mask<Real> within = abs(x.dot(place)) <= Real(1) && abs(y.dot(place)) <= Real(1);
-    return select(ahead && within, t, Real(infinity<Real>));
+    return {select(ahead && within, t, Real(0)), Real(1)};
   }
 
   /// Positive where it stands on the ray closer than `reach` [m].
   Real obstruction(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving,
                    Real reach) const {
-    return reach - distance(origin, direction, leaving);
+    return reach - crossing(origin, direction, leaving).distance();
   }
 };
 

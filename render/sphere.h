@@ -4,6 +4,27 @@
 
 namespace fairlight {
 
+/// Where a ray first meets a shape ahead: the distance [m] as a fraction, whose denominator is not negative. Nowhere, if the
+/// numerator is not positive or the denominator is 0. Two are compared by their products, as divisions are what a machine does
+/// fewest of at once.
+template <class Real>
+struct Crossing {
+  Real numerator, denominator;
+
+  /// Nowhere, which every other crossing is before.
+  static Crossing nowhere() { return {Real(infinity<Real>), Real(1)}; }
+
+  Mask<Real> before(const Crossing& other) const {
+    return numerator > Real(0) && numerator * other.denominator < other.numerator * denominator;
+  }
+
+  /// Infinity for nowhere.
+  Real distance() const {
+    const Real t = numerator / denominator;
+    return select(t > Real(0), t, Real(infinity<Real>));
+  }
+};
+
 /// A sphere in curvature form: the points x with k |x - a|^2 / 2 + n (x - a) = 0, where a is a point of it, n the
 /// outward unit normal there and k = 1/r. Centre and radius, which cancel each other for a wall of radius 1e5,
 /// appear nowhere; k = 0 is the plane through a.
@@ -25,22 +46,23 @@ struct Sphere {
   /// The outward unit normal at a point of the sphere.
   Vec3<Real> normal_at(const Vec3<Real>& x) const { return normal + curvature * (x - anchor); }
 
-  /// Along a unit direction, the distance [m] to the first point of the sphere ahead; infinity where there is none.
-  /// `leaving` says that the origin is on this very sphere: its level is then zero exactly, so the sphere is not
-  /// hit again where the ray starts, at any scale, and there is no epsilon.
-  Real distance(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
+  /// The first point of the sphere ahead, along a unit direction. `leaving` says that the origin is on this very sphere: its
+  /// level is then zero exactly, so the sphere is not hit again where the ray starts, at any scale, and there is no epsilon.
+  Crossing<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
+    using std::abs;
     using std::copysign;
     using std::max;
     using std::sqrt;
     const Line line = seen_from(origin, direction, leaving);
     // k t^2 / 2 + slope t + level = 0, each root from the form that does not cancel: q/k is the one ahead from inside, or
-    // from the sphere itself, where q is positive, and 2 level / q otherwise. A negative depth, or 0/0 on a tangent
-    // or a plane, makes a NaN, which no comparison takes for a hit.
+    // from the sphere itself, where q is positive, and 2 level / q otherwise. A negative depth makes a NaN, and a tangent or a
+    // plane 0/0 or q/0, none of which comes before anything.
     const Real root = sqrt(line.depth);
     const Real q = -(line.slope + copysign(root, line.slope));
     const Mask<Real> across = max(line.twice_level, -q) <= Real(0);
-    const Real t = select(across, q, line.twice_level) / select(across, curvature, q);
-    return select(t > Real(0), t, Real(infinity<Real>));
+    const Real over = select(across, q, line.twice_level);
+    const Real under = select(across, curvature, q);
+    return {over * copysign(Real(1), under), abs(under)};
   }
 
   /// Positive where the sphere stands on the ray closer than `reach` [m], without a root and with one comparison for all

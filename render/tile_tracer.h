@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <fairlight/estimators/vertex_source.h>
-#include <fairlight/render/tile_renderer.h>
+#include <fairlight/render/tile_jobs.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define FAIRLIGHT_FLATTEN  // a sanitizer's checks, all in one function, take a compiler a quarter of an hour
@@ -62,55 +62,24 @@ class TileTracer : public TileRenderer {
 
  private:
   using Number = Lane<Real>;
-  using Words = std::array<std::uint32_t, lanes<Real>>;
-  using Numbers = std::array<Number, lanes<Real>>;
   static constexpr std::uint32_t everyone = static_cast<std::uint32_t>((std::uint64_t{1} << lanes<Real>)-1);
   static constexpr std::uint32_t held = 64;  ///< samples of a pixel until they are added; more if a set has more
-
-  static Real loaded(const Numbers& numbers) {
-    if constexpr (lanes<Real> == 1) {
-      return numbers[0];
-    } else {
-      return Real::load_unaligned(numbers.data());
-    }
-  }
-  static Word<Real> loaded(const Words& words) {
-    if constexpr (lanes<Real> == 1) {
-      return words[0];
-    } else {
-      return Word<Real>::load_unaligned(words.data());
-    }
-  }
-  static Numbers stored(const Real& x) {
-    Numbers numbers;
-    if constexpr (lanes<Real> == 1) {
-      numbers[0] = x;
-    } else {
-      x.store_unaligned(numbers.data());
-    }
-    return numbers;
-  }
 
   /// Some samples of every pixel of a tile.
   class Run {
    public:
     Run(const TileTracer& tracer, const Tile& tile, std::uint32_t first_sample, std::uint32_t samples)
-        : by_(tracer),
-          tile_(tile),
-          first_sample_(first_sample),
-          samples_(samples),
-          jobs_(samples * static_cast<std::uint32_t>(tile.pixels())) {
-      for (auto& channel : radiance_) channel = std::make_unique_for_overwrite<Number[]>(jobs_);
+        : by_(tracer), tile_(tile), samples_(samples), jobs_(tile, first_sample, samples, tracer.width_) {
+      for (auto& channel : radiance_) channel = std::make_unique_for_overwrite<Number[]>(jobs_.size());
     }
 
-    /// A vertex at a time, of all paths that are on their way; lanes are given jobs when an eighth of them have none.
+    /// A vertex at a time, of all paths that are on their way; lanes are given jobs as soon as they have none.
     void trace(const CountedScene<Real>& scene) {
       Path<Real> path{{Vec3<Real>(Real(0), Real(0), Real(0)), Vec3<Real>(Real(0), Real(0), Real(1)), Real(-1)}};
       Mask<Real> alive(false);
       std::uint32_t idle = everyone;
       while (true) {
-        const bool enough = 8 * static_cast<std::size_t>(std::popcount(idle)) >= lanes<Real>;
-        if (enough && next_ < jobs_) idle = start(path, alive, idle);
+        if (idle != 0) idle = start(path, alive, idle);
         if (idle == everyone) return;
         alive = advance(scene, path, alive);
         const std::uint32_t ended = ~lane_bits(alive) & ~idle & everyone;
@@ -134,94 +103,59 @@ class TileTracer : public TileRenderer {
     /// A vertex of all paths. Flattened: hundreds of small functions about packets, of which a compiler leaves some uninlined.
     FAIRLIGHT_FLATTEN Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
                                          const Mask<Real>& alive) {
-      VertexSource<Real, ChosenNumbers> source(by_.numbers_, {loaded(pixel_), loaded(sample_), loaded(vertex_)});
-      for (auto& vertex : vertex_) ++vertex;
+      VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job_.pixel, job_.sample, vertex_of(path)});
       return by_.tracer_.advance(scene, path, source, alive);
     }
 
-    /// The next jobs and their rays, a packet of them made at once: few lanes end together, and a camera's ray is as long in the
-    /// making for one as for all.
-    struct Ready {
-      Words job{}, pixel{}, sample{};
-      std::array<Numbers, 6> ray{};    ///< origin and direction
-      std::size_t next = lanes<Real>;  ///< the first that no lane has taken
-    };
+    /// Vertex 0 is the camera, so the first after it is 1.
+    static Word<Real> vertex_of(const Path<Real>& path) { return word_of(whole(path.depth)) + Word<Real>(1u); }
 
     /// Gives jobs to idle lanes, and returns those that are still idle.
     FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
-      Numbers fresh{};
-      std::array<Numbers, 6> rays{};
-      for (std::uint32_t rest = idle; rest != 0 && next_ < jobs_; rest &= rest - 1) {
-        if (ready_.next == lanes<Real>) make_ready();
-        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-        for (std::size_t i = 0; i < rays.size(); ++i) rays[i][lane] = ready_.ray[i][ready_.next];
-        take_job(lane, ready_.next++);
-        fresh[lane] = Number(1);
-        idle &= ~(1u << lane);
-        ++next_;
-      }
-      const Mask<Real> starts = loaded(fresh) > Real(0);
-      const auto vector = [&](std::size_t i) {
-        return Vec3<Real>(loaded(rays[i]), loaded(rays[i + 1]), loaded(rays[i + 2]));
+      const auto ray_of = [this](const Vec2<Real>& middle, const Job<Real>& job) {
+        VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job.pixel, job.sample, Word<Real>(0u)});
+        return pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
       };
-      path.ray = {select(starts, vector(0), path.ray.origin), select(starts, vector(3), path.ray.direction),
-                  select(starts, Real(-1), path.ray.leaving)};
+      while (idle != 0) {
+        const std::uint32_t given = jobs_.give(idle, ray_of, path.ray, job_);
+        if (given == 0) return idle;
+        begin(path, alive, given);
+        idle &= ~given;
+      }
+      return idle;
+    }
+
+    void begin(Path<Real>& path, Mask<Real>& alive, std::uint32_t given) {
+      constexpr auto ones = [] {
+        detail::InLanes<Real, Number> all{};
+        all.fill(Number(1));
+        return all;
+      }();
+      const Mask<Real> starts = expand(given, ones.data(), Real(0)) > Real(0);
+      path.ray.leaving = select(starts, Real(-1), path.ray.leaving);
       path.throughput = select(starts, Rgb<Real>(Rgb<Real>::Constant(Real(1))), path.throughput);
       path.radiance = select(starts, zero<Rgb<Real>>(), path.radiance);
       path.density = select(starts, Real(0), path.density);
       path.depth = select(starts, Real(0), path.depth);
       alive = alive || starts;
-      return idle;
-    }
-
-    void take_job(std::size_t lane, std::size_t i) {
-      job_[lane] = ready_.job[i];
-      pixel_[lane] = ready_.pixel[i];
-      sample_[lane] = ready_.sample[i];
-      vertex_[lane] = 1;  // vertex 0 is the camera
-    }
-
-    FAIRLIGHT_FLATTEN void make_ready() {
-      Numbers middle_x{}, middle_y{};
-      for (std::size_t i = 0; i < lanes<Real>; ++i) {
-        const std::uint32_t job = std::min(next_ + static_cast<std::uint32_t>(i), jobs_ - 1);
-        const auto pixel = static_cast<int>(job / samples_);
-        const int x = tile_.left + pixel % tile_.width();
-        const int y = tile_.top + pixel / tile_.width();
-        ready_.job[i] = job;
-        ready_.pixel[i] =
-            static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(by_.width_) + static_cast<std::uint32_t>(x);
-        ready_.sample[i] = first_sample_ + job % samples_;
-        middle_x[i] = static_cast<Number>(x) + Number(0.5);
-        middle_y[i] = static_cast<Number>(y) + Number(0.5);
-      }
-      VertexSource<Real, ChosenNumbers> source(by_.numbers_,
-                                               {loaded(ready_.pixel), loaded(ready_.sample), Word<Real>(0u)});
-      const Vec2<Real> middle(loaded(middle_x), loaded(middle_y));
-      const Ray<Real> ray = pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
-      for (std::size_t i = 0; i < 3; ++i) {
-        ready_.ray[i] = stored(ray.origin[static_cast<Eigen::Index>(i)]);
-        ready_.ray[i + 3] = stored(ray.direction[static_cast<Eigen::Index>(i)]);
-      }
-      ready_.next = 0;
     }
 
     void finish(const Path<Real>& path, std::uint32_t ended) {
+      const auto job = detail::stored<Real, std::uint32_t>(job_.number);
       for (std::size_t c = 0; c < 3; ++c) {
-        const Numbers radiance = stored(path.radiance[static_cast<Eigen::Index>(c)]);
+        const auto radiance = detail::stored<Real, Number>(path.radiance[static_cast<Eigen::Index>(c)]);
         for (std::uint32_t rest = ended; rest != 0; rest &= rest - 1) {
           const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-          radiance_[c][job_[lane]] = radiance[lane];
+          radiance_[c][job[lane]] = radiance[lane];
         }
       }
     }
 
     const TileTracer& by_;
     Tile tile_;
-    std::uint32_t first_sample_, samples_;  ///< of every pixel
-    std::uint32_t next_ = 0, jobs_;
-    Ready ready_;
-    Words job_{}, pixel_{}, sample_{}, vertex_{};        ///< of each lane
+    std::uint32_t samples_;  ///< of every pixel
+    TileJobs<Real> jobs_;
+    Job<Real> job_;                                      ///< of each lane
     std::array<std::unique_ptr<Number[]>, 3> radiance_;  ///< of the jobs, per channel
   };
 

@@ -66,42 +66,54 @@ Quantised quantise(double x) {
   throw std::overflow_error("the sum of the draws exceeds 2^96 (merge fewer, or scale the scene down)");
 }
 
-// A float is significand * 2^(exponent - 150), its significand below 2^24. Those of one exponent are summed as whole numbers, which
-// 2^16 squares cannot overflow.
-class FloatsByExponent {
- public:
-  static constexpr std::size_t most = 1 << 16;
-  static constexpr std::uint32_t whole =
-      150 + unit_exponent;  // from this exponent on all are multiples of the unit
+__extension__ using Int128 = __int128;
 
-  // Floats of these exponents, or zeros.
-  FloatsByExponent(std::span<const float> draws, std::uint32_t lowest, std::uint32_t highest)
-      : lowest_(lowest), highest_(highest) {
-    std::fill(sums_.begin() + lowest, sums_.begin() + highest + 1, Sums{0, 0});
-    for (float x : draws) add(std::bit_cast<std::uint32_t>(x));
+// Sums of floats and of their squares that doubles hold to the last digit: of few draws, whose exponents are not far from the lowest,
+// in units of that one's last digit. A square is split where both parts have room to add up.
+class ExactSums {
+ public:
+  static constexpr std::size_t most = 64;
+  static constexpr std::uint32_t range = 23;
+  static constexpr std::uint32_t whole = 150 + unit_exponent;  // from this exponent on all are multiples of 2^-96
+
+  // A float is significand * 2^(exponent - 150), its significand below 2^24. Draws are zeros, or of exponents from `lowest` to
+  // lowest + range, so that their sum is below 2^53 units; 2^48 is the unit of the squares' upper parts, whose sum is then too.
+  ExactSums(std::span<const float> draws, std::uint32_t lowest)
+      : unit_(static_cast<int>(lowest) - 150), shift_(std::ldexp(1.5, 2 * unit_ + split + 52)) {
+    std::size_t i = 0;
+    for (; i + width <= draws.size(); i += width) {
+      for (std::size_t k = 0; k < width; ++k) add(draws[i + k], k);
+    }
+    for (; i < draws.size(); ++i) add(draws[i], 0);
   }
 
-  // use(significands, squares, exponent over `whole`) for each exponent.
-  void each(const auto& use) const {
-    for (std::uint32_t e = lowest_; e <= highest_; ++e) {
-      if (sums_[e].squares != 0) use(sums_[e].significands, sums_[e].squares, static_cast<int>(e - whole));
-    }
+  Uint128 sum() const { return static_cast<Uint128>(units(sum_, unit_)); }
+  Uint128 squares() const {
+    return static_cast<Uint128>((Int128{units(upper_, 2 * unit_ + split)} << split) + units(lower_, 2 * unit_));
   }
 
  private:
-  struct Sums {
-    std::uint64_t significands, squares;
-  };
+  static constexpr int split = 48;
+  static constexpr std::size_t width = 4;  // side by side, in registers
+  using Parts = std::array<double, width>;
 
-  void add(std::uint32_t bits) {
-    const std::uint64_t significand = bits == 0 ? 0 : (bits & 0x7FFFFF) | 0x800000;
-    Sums& of_exponent = sums_[std::max(bits >> 23, lowest_)];
-    of_exponent.significands += significand;
-    of_exponent.squares += significand * significand;
+  // To add 1.5 * 2^52 times the upper unit leaves no digit below that unit.
+  void add(float draw, std::size_t k) {
+    const auto x = static_cast<double>(draw);
+    const double square = x * x;
+    const double upper = (square + shift_) - shift_;
+    sum_[k] += x;
+    upper_[k] += upper;
+    lower_[k] += square - upper;
   }
 
-  std::uint32_t lowest_, highest_;
-  std::array<Sums, 256> sums_;
+  static std::int64_t units(const Parts& parts, int unit) {
+    return static_cast<std::int64_t>(std::ldexp((parts[0] + parts[1]) + (parts[2] + parts[3]), -unit));
+  }
+
+  int unit_;
+  double shift_;
+  Parts sum_{}, upper_{}, lower_{};
 };
 
 cpp_int integer(std::span<const std::uint64_t> words) {
@@ -131,9 +143,7 @@ void ExactMoments::add(std::span<const double> draws) {
 }
 
 void ExactMoments::add(std::span<const float> draws) {
-  for (; draws.size() > FloatsByExponent::most; draws = draws.subspan(FloatsByExponent::most)) {
-    add(draws.first(FloatsByExponent::most));
-  }
+  for (; draws.size() > ExactSums::most; draws = draws.subspan(ExactSums::most)) add(draws.first(ExactSums::most));
   std::uint32_t largest = 0;
   std::uint32_t least_but_zero = 0xFFFFFFFF;  // less one
   for (float x : draws) {
@@ -142,18 +152,19 @@ void ExactMoments::add(std::span<const float> draws) {
     least_but_zero = std::min(least_but_zero, bits - 1);
   }
   const std::uint32_t lowest = (least_but_zero + 1) >> 23;
-  if (largest >= std::bit_cast<std::uint32_t>(0x1p64f) || lowest < FloatsByExponent::whole) {
-    const std::vector<double> one_by_one(draws.begin(), draws.end());  // some are refused, all zero, or rounded
+  const bool refused = largest >= std::bit_cast<std::uint32_t>(0x1p64f);
+  if (refused || lowest < ExactSums::whole || (largest >> 23) > lowest + ExactSums::range) {
+    const std::vector<double> one_by_one(draws.begin(),
+                                         draws.end());  // some are refused, all zero, rounded, or far apart
     return add(std::span<const double>(one_by_one));
   }
+  const ExactSums sums(draws, lowest);
   const std::span<std::uint64_t> all(words_);
-  bool over = false;
-  FloatsByExponent(draws, lowest, largest >> 23).each([&](std::uint64_t sum, std::uint64_t squares, int exponent) {
-    over = add_shifted(all.subspan(sum_begin, 3), sum, exponent) || over;
-    over = add_shifted(all.subspan(squares_begin, 6), squares, 2 * exponent) || over;
-  });
+  const auto exponent = static_cast<int>(lowest - ExactSums::whole);
+  const bool over = add_shifted(all.subspan(sum_begin, 3), sums.sum(), exponent);
+  const bool squares_over = add_shifted(all.subspan(squares_begin, 6), sums.squares(), 2 * exponent);
   words_[0] += draws.size();
-  if (over) refuse_sum();
+  if (over || squares_over) refuse_sum();
 }
 
 void ExactMoments::merge(ExactMoments other) {  // by value: merging with itself doubles

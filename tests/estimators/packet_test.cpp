@@ -38,6 +38,31 @@ TEST(Packet, SelectsLaneByLane) {
   EXPECT_FALSE(all(x == Packet(0)));
 }
 
+// To lanes 1 and 2 of any packet; and to all of them, or none.
+TEST(Packet, ExpandsNumbersIntoTheLanesThatAreNamed) {
+  std::array<float, lanes<Packet>> next{};
+  std::array<std::uint32_t, lanes<Packet>> words{};
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    next[i] = 100 + static_cast<float>(i);
+    words[i] = 100 + static_cast<std::uint32_t>(i);
+  }
+  const std::uint32_t everyone = lane_bits(Packet(0) == Packet(0));
+  const auto some = lanes_of(expand(0b0110, next.data(), ramp()));
+  const auto all = lanes_of(expand(everyone, next.data(), ramp()));
+  const auto none = lanes_of(expand(0, next.data(), ramp()));
+  const Words words_some = expand(0b0110, words.data(), Words(7u));
+  for (std::size_t i = 0; i < lanes<Packet>; ++i) {
+    const bool named = i == 1 || i == 2;
+    EXPECT_EQ(some[i], static_cast<double>(named ? 99 + i : i));
+    EXPECT_EQ(all[i], static_cast<double>(100 + i));
+    EXPECT_EQ(none[i], static_cast<double>(i));
+    EXPECT_EQ(words_some.get(i), named ? 99 + i : 7);
+  }
+  const double one = 100;
+  EXPECT_EQ(expand(1, &one, 5.0), 100);
+  EXPECT_EQ(expand(0, &one, 5.0), 5);
+}
+
 RC_GTEST_PROP(Packet, MultipliesWordsAsWideNumbersDo, ()) {
   const auto a = *rc::gen::arbitrary<std::uint32_t>();
   const auto b = *rc::gen::container<std::array<std::uint32_t, Words::size>>(rc::gen::arbitrary<std::uint32_t>());

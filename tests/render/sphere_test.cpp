@@ -15,23 +15,23 @@ namespace {
 const Sphere<double> unit{{0, 0, 1}, {0, 0, 1}, 1};
 
 TEST(Sphere, IsHitFromWithoutFromWithinAndNotFromBehind) {
-  EXPECT_DOUBLE_EQ(unit.distance({3, 0, 0}, {-1, 0, 0}, false), 2);
-  EXPECT_DOUBLE_EQ(unit.distance({0, 0, 0}, {0.6, 0.8, 0}, false), 1);
-  EXPECT_EQ(unit.distance({3, 0, 0}, {1, 0, 0}, false), infinity<double>);
-  EXPECT_EQ(unit.distance({3, 0, 1.5}, {-1, 0, 0}, false), infinity<double>);
+  EXPECT_DOUBLE_EQ(unit.crossing({3, 0, 0}, {-1, 0, 0}, false).distance(), 2);
+  EXPECT_DOUBLE_EQ(unit.crossing({0, 0, 0}, {0.6, 0.8, 0}, false).distance(), 1);
+  EXPECT_EQ(unit.crossing({3, 0, 0}, {1, 0, 0}, false).distance(), infinity<double>);
+  EXPECT_EQ(unit.crossing({3, 0, 1.5}, {-1, 0, 0}, false).distance(), infinity<double>);
 }
 
 TEST(Sphere, IsNotHitWhereARayLeavesIt) {
-  EXPECT_EQ(unit.distance({1, 0, 0}, {1, 0, 0}, true), infinity<double>);
-  EXPECT_DOUBLE_EQ(unit.distance({1, 0, 0}, {-1, 0, 0}, true), 2);
+  EXPECT_EQ(unit.crossing({1, 0, 0}, {1, 0, 0}, true).distance(), infinity<double>);
+  EXPECT_DOUBLE_EQ(unit.crossing({1, 0, 0}, {-1, 0, 0}, true).distance(), 2);
 }
 
 TEST(Sphere, OfCurvatureZeroIsAPlane) {
   const Sphere<double> plane{{0, 0, 5}, {0, 0, 1}, 0};
-  EXPECT_DOUBLE_EQ(plane.distance({1, 2, 0}, {0, 0.6, 0.8}, false), 6.25);
-  EXPECT_EQ(plane.distance({1, 2, 0}, {0, 0.6, -0.8}, false), infinity<double>);
-  EXPECT_EQ(plane.distance({1, 2, 0}, {1, 0, 0}, false), infinity<double>);
-  EXPECT_EQ(plane.distance({1, 2, 5}, {0, 0.6, -0.8}, true), infinity<double>);
+  EXPECT_DOUBLE_EQ(plane.crossing({1, 2, 0}, {0, 0.6, 0.8}, false).distance(), 6.25);
+  EXPECT_EQ(plane.crossing({1, 2, 0}, {0, 0.6, -0.8}, false).distance(), infinity<double>);
+  EXPECT_EQ(plane.crossing({1, 2, 0}, {1, 0, 0}, false).distance(), infinity<double>);
+  EXPECT_EQ(plane.crossing({1, 2, 5}, {0, 0.6, -0.8}, true).distance(), infinity<double>);
 }
 
 TEST(Sphere, HasALevelAndANormal) {
@@ -43,9 +43,9 @@ TEST(Sphere, HasALevelAndANormal) {
 // A wall of radius 1e5, seen from inside at x = 1. With centre and radius, |x - c|^2 - r^2 would lose ten digits.
 TEST(Sphere, OfLargeRadiusLosesNothing) {
   const Sphere<double> wall{{1, 40, 80}, {-1, 0, 0}, 1e-5};
-  EXPECT_DOUBLE_EQ(wall.distance({50, 40, 80}, {-1, 0, 0}, false), 49);
+  EXPECT_DOUBLE_EQ(wall.crossing({50, 40, 80}, {-1, 0, 0}, false).distance(), 49);
   // Off the axis by y the wall is nearer by y^2 / 2r, up to (y/r)^4 r / 8: 0.1 off by 5e-8.
-  EXPECT_NEAR(wall.distance({50, 40.1, 80}, {-1, 0, 0}, false), 49 - 5e-8, 1e-14);
+  EXPECT_NEAR(wall.crossing({50, 40.1, 80}, {-1, 0, 0}, false).distance(), 49 - 5e-8, 1e-14);
 }
 
 RC_GTEST_PROP(Sphere, IsHitOnItself, ()) {
@@ -55,7 +55,7 @@ RC_GTEST_PROP(Sphere, IsHitOnItself, ()) {
   const Vec3<double> origin = Vec3<double>(1, -2, 3) - outward * radius * (*testing::unit_number());
   const Vec3<double> direction =
       Frame<double>(outward).to_world(UniformHemisphere<double>().sample(*testing::unit_point()));
-  const double t = sphere.distance(origin, direction, false);
+  const double t = sphere.crossing(origin, direction, false).distance();
   RC_PRE(t < infinity<double>);
   // The level is a distance: rounded by the radius, by the step of length t, and by places of about 4.
   RC_ASSERT(std::abs(sphere.level(origin + t * direction)) <= 1e-14 * (radius + t + 0.4));
@@ -69,8 +69,8 @@ RC_GTEST_PROP(Sphere, LetsARayLeaveAtAnyScale, ()) {
   const Vec3<double> w = UniformHemisphere<double>().sample(*testing::unit_point());
   RC_PRE(w.z() > 1e-6);
   const Vec3<double> away = Frame<double>(outward).to_world(w);
-  RC_ASSERT(sphere.distance(radius * outward, away, true) == infinity<double>);
-  RC_ASSERT(std::abs(sphere.distance(radius * outward, -away, true) / (2 * radius * w.z()) - 1) < 1e-9);
+  RC_ASSERT(sphere.crossing(radius * outward, away, true).distance() == infinity<double>);
+  RC_ASSERT(std::abs(sphere.crossing(radius * outward, -away, true).distance() / (2 * radius * w.z()) - 1) < 1e-9);
 }
 
 // A ray of floats that passes the centre of the unit sphere, 1e5 away, at a tenth more or less than its radius: the place where it
@@ -82,7 +82,7 @@ RC_GTEST_PROP(Sphere, IsNoWiderFromFarAway, ()) {
   const Vec3<float> direction = frame.to_world({0, 0, 1}).cast<float>().normalized();
   const auto passed = [&](double aside) {
     const Vec3<float> origin = frame.to_world({aside, 0, -distance}).cast<float>();
-    const bool hit = sphere.distance(origin, direction, false) < infinity<float>;
+    const bool hit = sphere.crossing(origin, direction, false).distance() < infinity<float>;
     const auto shadow = [&](double reach) {
       return sphere.obstruction(origin, direction, false, static_cast<float>(reach)) > 0;
     };

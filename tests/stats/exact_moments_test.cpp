@@ -103,22 +103,35 @@ RC_GTEST_PROP(ExactMoments, AgreeWithIntegerArithmetic, ()) {
             static_cast<double>(n * squares - sum * sum) / (static_cast<double>(n) * static_cast<double>(n - 1)));
 }
 
-RC_GTEST_PROP(ExactMoments, OfManyFloatsAreThoseOfEachAlone, ()) {
-  const auto floats = *rc::gen::container<std::vector<float>>(
-      rc::gen::map(rc::gen::pair(rc::gen::inRange(0, 1 << 24), rc::gen::inRange(-149, 40)),
-                   [](const std::pair<int, int>& x) { return std::ldexp(static_cast<float>(x.first), x.second); }));
-  ExactMoments one_by_one, together;
-  for (float x : floats) one_by_one.add(static_cast<double>(x));
-  together.add(std::span<const float>(floats));
-  RC_ASSERT(together == one_by_one);
-}
-
-TEST(ExactMoments, OfMoreFloatsThanASumOfSquaresHoldsAtOnce) {
-  const std::vector<float> floats(200'000, std::nextafter(2.0F, 0.0F));
+void expect_those_of_each_alone(const std::vector<float>& floats) {
   ExactMoments one_by_one, together;
   for (float x : floats) one_by_one.add(static_cast<double>(x));
   together.add(std::span<const float>(floats));
   EXPECT_EQ(together, one_by_one);
+}
+
+RC_GTEST_PROP(ExactMoments, OfManyFloatsAreThoseOfEachAlone, ()) {
+  const int lowest = *rc::gen::inRange(-149, 40);
+  const int highest = lowest + *rc::gen::element(1, 5, 20, 40 - lowest);
+  const auto floats = *rc::gen::container<std::vector<float>>(
+      rc::gen::map(rc::gen::pair(rc::gen::inRange(0, 1 << 24), rc::gen::inRange(lowest, std::min(highest, 40))),
+                   [](const std::pair<int, int>& x) { return std::ldexp(static_cast<float>(x.first), x.second); }));
+  expect_those_of_each_alone(floats);
+}
+
+TEST(ExactMoments, OfMoreFloatsThanAreAddedAtOnce) {
+  expect_those_of_each_alone(std::vector<float>(200'000, std::nextafter(2.0F, 0.0F)));
+}
+
+// As large as they may be, beside the smallest, with all digits set.
+TEST(ExactMoments, OfFloatsThatAreFarApart) {
+  for (int apart = 20; apart <= 60; ++apart) {
+    std::vector<float> floats(64, std::nextafter(std::ldexp(2.0F, apart), 0.0F));
+    floats[17] = std::nextafter(1.0F, 2.0F);
+    expect_those_of_each_alone(floats);
+    for (float& x : floats) x = std::ldexp(x, -90);
+    expect_those_of_each_alone(floats);
+  }
 }
 
 TEST(ExactMoments, OfFloatsAreUnchangedWhenOneIsRefused) {

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include <fairlight/render/tile_renderer.h>
+
+namespace fairlight {
+
+/// What a lane works on: a sample of a pixel, and its number among the tile's.
+template <class Real>
+struct Job {
+  Word<Real> number = Word<Real>(0u), pixel = number, sample = number;
+};
+
+namespace detail {
+
+/// One value a lane, in memory.
+template <class Real, class Value>
+using InLanes = std::array<Value, lanes<Real>>;
+
+template <class Batch, class Value, std::size_t n>
+Batch loaded(const std::array<Value, n>& values) {
+  if constexpr (n == 1) {
+    return values[0];
+  } else {
+    return Batch::load_unaligned(values.data());
+  }
+}
+
+template <class Real, class Value, class Batch>
+InLanes<Real, Value> stored(const Batch& x) {
+  InLanes<Real, Value> values{};
+  if constexpr (lanes<Real> == 1) {
+    values[0] = x;
+  } else {
+    x.store_unaligned(values.data());
+  }
+  return values;
+}
+
+}  // namespace detail
+
+/// Some samples of every pixel of a tile as jobs, pixel by pixel. Their rays are made a packet at a time: few lanes end together, and a
+/// camera's ray is as long in the making for one as for all.
+template <class Real>
+class TileJobs {
+ public:
+  TileJobs(const Tile& tile, std::uint32_t first_sample, std::uint32_t samples, int width)
+      : tile_(tile),
+        first_sample_(first_sample),
+        samples_(samples),
+        jobs_(samples * static_cast<std::uint32_t>(tile.pixels())),
+        width_(width),
+        x_(tile.left),
+        y_(tile.top) {}
+
+  std::uint32_t size() const { return jobs_; }
+
+  /// Gives the next jobs to the lanes whose bits are set, the lowest first, and returns the bits of those that got one: none when there
+  /// are no more. `make(middle of the pixel, job)` makes the rays of a packet of jobs.
+  std::uint32_t give(std::uint32_t idle, const auto& make, Ray<Real>& ray, Job<Real>& job) {
+    if (next_ == end_) make_ready(make);
+    const std::uint32_t given = lowest(idle, end_ - next_);
+    const auto expanded = [&](const auto& ready, auto& lanes) { lanes = expand(given, &ready[next_], lanes); };
+    for (std::size_t i = 0; given != 0 && i < 3; ++i) {
+      expanded(rays_[i], ray.origin[static_cast<Eigen::Index>(i)]);
+      expanded(rays_[i + 3], ray.direction[static_cast<Eigen::Index>(i)]);
+      expanded(ids_[i], *std::array{&job.number, &job.pixel, &job.sample}[i]);
+    }
+    next_ += static_cast<std::size_t>(std::popcount(given));
+    return given;
+  }
+
+ private:
+  using Number = Lane<Real>;
+  using Numbers = detail::InLanes<Real, Number>;
+  using Words = detail::InLanes<Real, std::uint32_t>;
+
+  /// The lowest n of the bits that are set, or all of them.
+  static std::uint32_t lowest(std::uint32_t bits, std::size_t n) {
+    std::uint32_t rest = bits;
+    for (; rest != 0 && n != 0; --n) rest &= rest - 1;
+    return bits & ~rest;
+  }
+
+  void make_ready(const auto& make) {
+    Numbers middle_x{}, middle_y{};
+    next_ = 0;
+    end_ = std::min<std::size_t>(lanes<Real>, jobs_ - made_);
+    for (std::size_t i = 0; i < end_; ++i) {
+      ids_[0][i] = made_++;
+      ids_[1][i] = static_cast<std::uint32_t>(y_ * width_ + x_);
+      ids_[2][i] = first_sample_ + sample_;
+      middle_x[i] = static_cast<Number>(x_) + Number(0.5);
+      middle_y[i] = static_cast<Number>(y_) + Number(0.5);
+      if (++sample_ == samples_) next_pixel();
+    }
+    const auto words = [&](std::size_t i) { return detail::loaded<Word<Real>>(ids_[i]); };
+    const Vec2<Real> middle(detail::loaded<Real>(middle_x), detail::loaded<Real>(middle_y));
+    const Ray<Real> ray = make(middle, Job<Real>{words(0), words(1), words(2)});
+    for (std::size_t i = 0; i < 3; ++i) {
+      rays_[i] = detail::stored<Real, Number>(ray.origin[static_cast<Eigen::Index>(i)]);
+      rays_[i + 3] = detail::stored<Real, Number>(ray.direction[static_cast<Eigen::Index>(i)]);
+    }
+  }
+
+  void next_pixel() {
+    sample_ = 0;
+    if (++x_ < tile_.right) return;
+    x_ = tile_.left;
+    ++y_;
+  }
+
+  Tile tile_;
+  std::uint32_t first_sample_, samples_;  ///< of every pixel
+  std::uint32_t jobs_, made_ = 0;
+  int width_;  ///< of the image
+  int x_, y_;
+  std::uint32_t sample_ = 0;        ///< of the next job
+  std::array<Words, 3> ids_{};      ///< of the jobs that are ready: as in Job
+  std::array<Numbers, 6> rays_{};   ///< their origins and directions
+  std::size_t next_ = 0, end_ = 0;  ///< the first that no lane has taken, and the one past the last
+};
+
+}  // namespace fairlight
