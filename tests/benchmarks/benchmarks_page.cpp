@@ -149,6 +149,25 @@ void print_scenes(const Medians& medians) {
   }
 }
 
+/// A render's strategies are its benchmark's name, with slashes between them.
+void print_efficiency(const Medians& medians) {
+  std::cout
+      << "\n## Efficiency\n\n"
+         "What a CPU second buys, 1/(MSE x seconds): `cornell-simple`, 256 x 256 pixels, 64 samples each, "
+         "roulette by throughput, sets of 64\npoints. The MSE is half the mean squared difference of two seeds; "
+         "left out are the three rows at the top and three pixels about\nthe light. On a machine of 4 to 5 GHz "
+         "Mitsuba 3.8 with LLVM had a variance of 0.044 and an efficiency of 83.\n\n"
+         "| light sampled by | shared | numbers | CPU seconds | variance a path | efficiency |\n"
+         "|---|---|---|--:|--:|--:|\n";
+  for (const std::string& name : medians.names()) {
+    std::string cells = name;
+    for (std::size_t at; (at = cells.find('/')) != std::string::npos;) cells.replace(at, 1, " | ");
+    std::cout << "| " << cells << " | " << number(medians.value(name, "seconds")) << " | "
+              << number(medians.value(name, "variance")) << " | " << number(medians.value(name, "efficiency"))
+              << " |\n";
+  }
+}
+
 void print_core_test(const Medians& medians) {
   const auto nanoseconds = [&](const std::string& name) { return 1e9 / medians.value(name, "items_per_second"); };
   const double sum = nanoseconds("sum_the_draws"), test = nanoseconds("test_the_draws");
@@ -186,6 +205,7 @@ void print_page(const std::string& folder) {
   const Medians render(folder + "/render.json");
   print_intersection(render);
   print_scenes(render);
+  print_efficiency(Medians(folder + "/efficiency.json"));
   print_core_test(Medians(folder + "/betting.json"));
   print_memory(
       {read(folder + "/memory_1.json"), read(folder + "/memory_4.json"), read(folder + "/memory_16.json")});

@@ -82,7 +82,7 @@ void add_audit_command(CLI::App& program, Command& command) {
   auto options = std::make_shared<AuditOptions>();
   auto* sub = app->add_subcommand(
       "faults", "Run wrong estimators through the claims: each must be found biased with every seed");
-  sub->add_option("--seeds", options->seeds, "How many seeds for each: 300 take some twelve minutes on two cores")
+  sub->add_option("--seeds", options->seeds, "How many seeds for each: 300 take some eleven minutes on two cores")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   sub->add_option("--seed", options->seed, "The first seed; fresh if not given");
