@@ -53,7 +53,7 @@ class TileJobs {
         first_sample_(first_sample),
         samples_(samples),
         jobs_(samples * static_cast<std::uint32_t>(tile.pixels())),
-        width_(width),
+        width_(static_cast<std::uint32_t>(width)),
         x_(tile.left),
         y_(tile.top) {}
 
@@ -62,7 +62,7 @@ class TileJobs {
   /// Gives the next jobs to the lanes whose bits are set, the lowest first, and returns the bits of those that got one: none when there
   /// are no more. `make(middle of the pixel, job)` makes the rays of a packet of jobs.
   std::uint32_t give(std::uint32_t idle, const auto& make, Ray<Real>& ray, Job<Real>& job) {
-    if (next_ == end_) make_ready(make);
+    if (next_ == end_ && made_ < jobs_) make_ready(make);
     const std::uint32_t given = lowest(idle, end_ - next_);
     const auto expanded = [&](const auto& ready, auto& lanes) { lanes = expand(given, &ready[next_], lanes); };
     for (std::size_t i = 0; given != 0 && i < 3; ++i) {
@@ -92,7 +92,7 @@ class TileJobs {
     end_ = std::min<std::size_t>(lanes<Real>, jobs_ - made_);
     for (std::size_t i = 0; i < end_; ++i) {
       ids_[0][i] = made_++;
-      ids_[1][i] = static_cast<std::uint32_t>(y_ * width_ + x_);
+      ids_[1][i] = static_cast<std::uint32_t>(y_) * width_ + static_cast<std::uint32_t>(x_);
       ids_[2][i] = first_sample_ + sample_;
       middle_x[i] = static_cast<Number>(x_) + Number(0.5);
       middle_y[i] = static_cast<Number>(y_) + Number(0.5);
@@ -117,7 +117,7 @@ class TileJobs {
   Tile tile_;
   std::uint32_t first_sample_, samples_;  ///< of every pixel
   std::uint32_t jobs_, made_ = 0;
-  int width_;  ///< of the image
+  std::uint32_t width_;  ///< of the image
   int x_, y_;
   std::uint32_t sample_ = 0;        ///< of the next job
   std::array<Words, 3> ids_{};      ///< of the jobs that are ready: as in Job

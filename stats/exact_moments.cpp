@@ -143,7 +143,7 @@ void ExactMoments::add(std::span<const double> draws) {
 }
 
 void ExactMoments::add(std::span<const float> draws) {
-  for (; draws.size() > ExactSums::most; draws = draws.subspan(ExactSums::most)) add(draws.first(ExactSums::most));
+  const std::size_t count = draws.size();
   std::uint32_t largest = 0;
   std::uint32_t least_but_zero = 0xFFFFFFFF;  // less one
   for (float x : draws) {
@@ -158,13 +158,16 @@ void ExactMoments::add(std::span<const float> draws) {
                                          draws.end());  // some are refused, all zero, rounded, or far apart
     return add(std::span<const double>(one_by_one));
   }
-  const ExactSums sums(draws, lowest);
   const std::span<std::uint64_t> all(words_);
   const auto exponent = static_cast<int>(lowest - ExactSums::whole);
-  const bool over = add_shifted(all.subspan(sum_begin, 3), sums.sum(), exponent);
-  const bool squares_over = add_shifted(all.subspan(squares_begin, 6), sums.squares(), 2 * exponent);
-  words_[0] += draws.size();
-  if (over || squares_over) refuse_sum();
+  bool over = false;
+  for (; !draws.empty(); draws = draws.subspan(std::min(ExactSums::most, draws.size()))) {
+    const ExactSums sums(draws.first(std::min(ExactSums::most, draws.size())), lowest);
+    over = add_shifted(all.subspan(sum_begin, 3), sums.sum(), exponent) || over;
+    over = add_shifted(all.subspan(squares_begin, 6), sums.squares(), 2 * exponent) || over;
+  }
+  words_[0] += count;
+  if (over) refuse_sum();
 }
 
 void ExactMoments::merge(ExactMoments other) {  // by value: merging with itself doubles

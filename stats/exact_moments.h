@@ -27,8 +27,7 @@ class ExactMoments {
   /// Throws std::overflow_error when the sum reaches 2^96.
   void add(double x);
 
-  /// As if each of the draws were added alone, in a few cycles each. Throws as they would; of each 2^16
-  /// all or none are then added.
+  /// As if each of the draws were added alone, floats in a few cycles each. Throws as they would; none is added where one is refused.
   void add(std::span<const float> draws);
   void add(std::span<const double> draws);
 

@@ -155,8 +155,7 @@ void print_efficiency(const Medians& medians) {
       << "\n## Efficiency\n\n"
          "What a CPU second buys, 1/(MSE x seconds): `cornell-simple`, 256 x 256 pixels, 64 samples each, "
          "roulette by throughput, sets of 64\npoints. The MSE is half the mean squared difference of two seeds; "
-         "left out are the three rows at the top and three pixels about\nthe light. On a machine of 4 to 5 GHz "
-         "Mitsuba 3.8 with LLVM had a variance of 0.044 and an efficiency of 83.\n\n"
+         "left out are the three rows at the top and three pixels about\nthe light.\n\n"
          "| light sampled by | shared | numbers | CPU seconds | variance a path | efficiency |\n"
          "|---|---|---|--:|--:|--:|\n";
   for (const std::string& name : medians.names()) {

@@ -103,11 +103,11 @@ RC_GTEST_PROP(ExactMoments, AgreeWithIntegerArithmetic, ()) {
             static_cast<double>(n * squares - sum * sum) / (static_cast<double>(n) * static_cast<double>(n - 1)));
 }
 
-void expect_those_of_each_alone(const std::vector<float>& floats) {
+bool are_those_of_each_alone(const std::vector<float>& floats) {
   ExactMoments one_by_one, together;
   for (float x : floats) one_by_one.add(static_cast<double>(x));
   together.add(std::span<const float>(floats));
-  EXPECT_EQ(together, one_by_one);
+  return together == one_by_one;
 }
 
 RC_GTEST_PROP(ExactMoments, OfManyFloatsAreThoseOfEachAlone, ()) {
@@ -116,11 +116,11 @@ RC_GTEST_PROP(ExactMoments, OfManyFloatsAreThoseOfEachAlone, ()) {
   const auto floats = *rc::gen::container<std::vector<float>>(
       rc::gen::map(rc::gen::pair(rc::gen::inRange(0, 1 << 24), rc::gen::inRange(lowest, std::min(highest, 40))),
                    [](const std::pair<int, int>& x) { return std::ldexp(static_cast<float>(x.first), x.second); }));
-  expect_those_of_each_alone(floats);
+  RC_ASSERT(are_those_of_each_alone(floats));
 }
 
 TEST(ExactMoments, OfMoreFloatsThanAreAddedAtOnce) {
-  expect_those_of_each_alone(std::vector<float>(200'000, std::nextafter(2.0F, 0.0F)));
+  EXPECT_TRUE(are_those_of_each_alone(std::vector<float>(200'000, std::nextafter(2.0F, 0.0F))));
 }
 
 // As large as they may be, beside the smallest, with all digits set.
@@ -128,9 +128,9 @@ TEST(ExactMoments, OfFloatsThatAreFarApart) {
   for (int apart = 20; apart <= 60; ++apart) {
     std::vector<float> floats(64, std::nextafter(std::ldexp(2.0F, apart), 0.0F));
     floats[17] = std::nextafter(1.0F, 2.0F);
-    expect_those_of_each_alone(floats);
-    for (float& x : floats) x = std::ldexp(x, -90);
-    expect_those_of_each_alone(floats);
+    EXPECT_TRUE(are_those_of_each_alone(floats)) << apart;
+    for (float& x : floats) x = std::ldexp(x, -73);  // the smallest is 2^-73 and 2^-96
+    EXPECT_TRUE(are_those_of_each_alone(floats)) << apart;
   }
 }
 
@@ -138,7 +138,8 @@ TEST(ExactMoments, OfFloatsAreUnchangedWhenOneIsRefused) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const float bad : {-1.0F, 0x1p64F, nan}) {
     ExactMoments moments;
-    const std::vector<float> floats{1, bad};
+    std::vector<float> floats(200, 1.0F);
+    floats.back() = bad;
     EXPECT_THROW(moments.add(std::span<const float>(floats)), std::domain_error);
     const std::vector<double> doubles{1, static_cast<double>(bad)};
     EXPECT_THROW(moments.add(std::span<const double>(doubles)), std::domain_error);
