@@ -12,7 +12,7 @@ namespace fairlight {
 namespace {
 
 constexpr double first_turn = 0.002;     // seconds
-constexpr double worth_preparing = 5.0;  // times what a claim needed before its first draws
+constexpr double worth_preparing = 1.0;  // times what a claim needed before its first draws
 constexpr double between_words = 0.05;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
