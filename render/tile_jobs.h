@@ -64,11 +64,14 @@ class TileJobs {
   std::uint32_t give(std::uint32_t idle, const auto& make, Ray<Real>& ray, Job<Real>& job) {
     if (next_ == end_ && made_ < jobs_) make_ready(make);
     const std::uint32_t given = lowest(idle, end_ - next_);
-    const auto expanded = [&](const auto& ready, auto& lanes) { lanes = expand(given, &ready[next_], lanes); };
-    for (std::size_t i = 0; given != 0 && i < 3; ++i) {
-      expanded(rays_[i], ray.origin[static_cast<Eigen::Index>(i)]);
-      expanded(rays_[i + 3], ray.direction[static_cast<Eigen::Index>(i)]);
-      expanded(ids_[i], *std::array{&job.number, &job.pixel, &job.sample}[i]);
+    if (given == 0) return 0;
+    const auto take = [&](const auto& ready, auto& lanes) { lanes = expand(given, &ready[next_], lanes); };
+    take(numbers_, job.number);
+    take(pixels_, job.pixel);
+    take(drawn_, job.sample);
+    for (std::size_t i = 0; i < 3; ++i) {
+      take(origins_[i], ray.origin[static_cast<Eigen::Index>(i)]);
+      take(directions_[i], ray.direction[static_cast<Eigen::Index>(i)]);
     }
     next_ += static_cast<std::size_t>(std::popcount(given));
     return given;
@@ -91,19 +94,19 @@ class TileJobs {
     next_ = 0;
     end_ = std::min<std::size_t>(lanes<Real>, jobs_ - made_);
     for (std::size_t i = 0; i < end_; ++i) {
-      ids_[0][i] = made_++;
-      ids_[1][i] = static_cast<std::uint32_t>(y_) * width_ + static_cast<std::uint32_t>(x_);
-      ids_[2][i] = first_sample_ + sample_;
+      numbers_[i] = made_++;
+      pixels_[i] = static_cast<std::uint32_t>(y_) * width_ + static_cast<std::uint32_t>(x_);
+      drawn_[i] = first_sample_ + sample_;
       middle_x[i] = static_cast<Number>(x_) + Number(0.5);
       middle_y[i] = static_cast<Number>(y_) + Number(0.5);
       if (++sample_ == samples_) next_pixel();
     }
-    const auto words = [&](std::size_t i) { return detail::loaded<Word<Real>>(ids_[i]); };
+    const auto words = [](const Words& each) { return detail::loaded<Word<Real>>(each); };
     const Vec2<Real> middle(detail::loaded<Real>(middle_x), detail::loaded<Real>(middle_y));
-    const Ray<Real> ray = make(middle, Job<Real>{words(0), words(1), words(2)});
+    const Ray<Real> ray = make(middle, Job<Real>{words(numbers_), words(pixels_), words(drawn_)});
     for (std::size_t i = 0; i < 3; ++i) {
-      rays_[i] = detail::stored<Real, Number>(ray.origin[static_cast<Eigen::Index>(i)]);
-      rays_[i + 3] = detail::stored<Real, Number>(ray.direction[static_cast<Eigen::Index>(i)]);
+      origins_[i] = detail::stored<Real, Number>(ray.origin[static_cast<Eigen::Index>(i)]);
+      directions_[i] = detail::stored<Real, Number>(ray.direction[static_cast<Eigen::Index>(i)]);
     }
   }
 
@@ -119,9 +122,9 @@ class TileJobs {
   std::uint32_t jobs_, made_ = 0;
   std::uint32_t width_;  ///< of the image
   int x_, y_;
-  std::uint32_t sample_ = 0;        ///< of the next job
-  std::array<Words, 3> ids_{};      ///< of the jobs that are ready: as in Job
-  std::array<Numbers, 6> rays_{};   ///< their origins and directions
+  std::uint32_t sample_ = 0;              ///< of the next job
+  Words numbers_{}, pixels_{}, drawn_{};  ///< of the jobs that are ready, as in Job
+  std::array<Numbers, 3> origins_{}, directions_{};
   std::size_t next_ = 0, end_ = 0;  ///< the first that no lane has taken, and the one past the last
 };
 
