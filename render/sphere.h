@@ -5,8 +5,8 @@
 namespace fairlight {
 
 /// Where a ray first meets a shape ahead: the distance [m] as a fraction, whose denominator is not negative. Nowhere, if the
-/// numerator is not positive or the denominator is 0, or either is no number. Two are compared by their products, as divisions are what a machine does
-/// fewest of at once.
+/// numerator is not positive or the denominator is 0, or either is no number. Two are compared by their products, as divisions are
+/// what a machine does fewest of at once.
 template <class Real>
 struct Crossing {
   Real numerator, denominator;

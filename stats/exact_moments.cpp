@@ -154,8 +154,7 @@ void ExactMoments::add(std::span<const float> draws) {
   const std::uint32_t lowest = (least_but_zero + 1) >> 23;
   const bool refused = largest >= std::bit_cast<std::uint32_t>(0x1p64f);
   if (refused || lowest < ExactSums::whole || (largest >> 23) > lowest + ExactSums::range) {
-    const std::vector<double> one_by_one(draws.begin(),
-                                         draws.end());  // some are refused, all zero, rounded, or far apart
+    const std::vector<double> one_by_one(draws.begin(), draws.end());  // refused, all zero, rounded, or far apart
     return add(std::span<const double>(one_by_one));
   }
   const std::span<std::uint64_t> all(words_);

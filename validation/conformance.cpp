@@ -11,8 +11,7 @@
 namespace fairlight {
 namespace {
 
-constexpr double first_turn = 0.002;     // seconds
-constexpr double worth_preparing = 1.0;  // times what a claim needed before its first draws
+constexpr double first_turn = 0.002;  // seconds
 constexpr double between_words = 0.05;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -70,7 +69,7 @@ class Run {
   }
 
   // Runs a claim from its start, and for so many seconds at most from its first draws: what it does before them, such as a law's
-  // quadrature, says nothing of what they will cost. As that is to be done once more in another turn, a turn is some times as long.
+  // quadrature, says nothing of what they will cost. As that is to be done once more in another turn, a turn is at least as long.
   void take_turn(std::size_t i, double most) {
     const Clock clock;
     Turn turn{outcomes_[i].seconds};
@@ -106,7 +105,7 @@ class Run {
       turn.first = now;
       turn.first_done = done;
     }
-    turn.ended = now - turn.first > std::max(most, worth_preparing * turn.first) || time_is_up();
+    turn.ended = now - turn.first > std::max(most, turn.first) || time_is_up();
     if (turn.ended || now - turn.told > between_words) {
       turn.left =
           done > turn.first_done ? (now - turn.first) * (1 - done) / (done - turn.first_done) : now / done - now;
