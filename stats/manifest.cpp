@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <stdexcept>
 
 #include <fairlight/stats/manifest.h>
@@ -27,6 +28,9 @@ Manifest::Manifest(std::vector<Row> rows, const Terms& terms)
       throw std::invalid_argument("two claims are named \"" + rows_[i].name +
                                   "\" (a name owns its random numbers)");
     }
+    if (!(rows_[i].finest_margin >= 0)) {
+      throw std::invalid_argument("the finest margin of \"" + rows_[i].name + "\" must be nonnegative");
+    }
   }
 }
 
@@ -49,11 +53,12 @@ Trial Manifest::trial(const std::string& claim) const {
   if (found == index_.end()) {
     throw std::invalid_argument("\"" + claim + "\" is not in the manifest (and so has no share of the budget)");
   }
-  const double margin = terms_.margin * rows_[found->second].margin_factor;
+  const Row& row = rows_[found->second];
+  const double margin = std::max(terms_.margin * row.margin_factor, row.finest_margin);
   if (!(margin > 0 && margin < 1)) {
     throw std::invalid_argument("the margin of \"" + claim +
                                 "\" must be in (0,1) (it is the run's times its own factor, " +
-                                std::to_string(rows_[found->second].margin_factor) + ")");
+                                std::to_string(row.margin_factor) + ")");
   }
   return {claim, terms_.seed, budget_.share(found->second), terms_.beta, margin};
 }

@@ -45,6 +45,7 @@ class Manifest {
     std::string name;
     double weight = 1;         ///< its part of the budget
     double margin_factor = 1;  ///< its margin, in units of the run's
+    double finest_margin = 0;  ///< its margin where the run's is finer: what it rounds would hide a smaller bias
   };
   struct Terms {
     std::uint64_t seed;
@@ -54,7 +55,7 @@ class Manifest {
   };
 
   /// Throws std::invalid_argument for two rows of one name, no rows, a budget, miss rate or margin outside (0,1),
-  /// or a weight that is not positive.
+  /// a weight that is not positive or a finest margin that is negative.
   Manifest(std::vector<Row> rows, const Terms& terms);
 
   /// The trial of a claim: the same whatever else runs. Throws std::invalid_argument for a claim that is not

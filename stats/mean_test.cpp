@@ -144,6 +144,12 @@ Finding finding_of(const BettingTest& test, const Reference& reference, double m
 
 }  // namespace
 
+double finest_margin(const std::vector<Reference>& references) {
+  double finest = 0;
+  for (const Reference& r : references) finest = std::max(finest, 4 * r.rounding);
+  return finest;
+}
+
 Finding worst_of(const std::vector<Finding>& channels) {
   Finding worst = channels.at(0);
   for (const Finding& finding : channels) {

@@ -21,6 +21,9 @@ struct Reference {
   double rounding = 0;  ///< of the arithmetic, relative to scale: a bias up to it is not called one
 };
 
+/// The finest margin that a test of these can be asked for, as a rounding may be a quarter of it. In double 0: any.
+double finest_margin(const std::vector<Reference>& references);
+
 /// Fills channels[c][i] with channel c of draw first + i, for every i. The channels come with their size.
 using DrawBlock = std::function<void(std::uint64_t first, std::vector<std::vector<double>>& channels)>;
 

@@ -154,7 +154,7 @@ class Run {
 
 Manifest manifest_of(const Conformance& conformance) {
   std::vector<Manifest::Row> rows;
-  for (const Claim& c : registry()) rows.push_back({c.name, c.weight, c.margin_factor});
+  for (const Claim& c : registry()) rows.push_back({c.name, c.weight, c.margin_factor, c.finest_margin});
   return Manifest(rows, conformance.terms);
 }
 

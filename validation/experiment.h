@@ -47,7 +47,8 @@ Claim mean_row(const Experiment<Draw>& e, const Check& check) {
           .source = e.source,
           .margin_factor = e.margin_factor,
           .check = [e, check](const Trial& trial) { return check(trial, e); },
-          .real = real_name<Real>()};
+          .real = real_name<Real>(),
+          .finest_margin = finest_margin(rounded_references<Real>(e.references))};
 }
 
 /// From independent numbers of its own arithmetic alone: in double where packets round more than they mostly do.

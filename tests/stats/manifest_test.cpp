@@ -19,6 +19,13 @@ TEST(Manifest, GivesAClaimItsShareItsSeedAndItsMargin) {
   EXPECT_DOUBLE_EQ(trial.margin, 0.05);
 }
 
+TEST(Manifest, AsksNoClaimForMoreThanItCanShow) {
+  const Manifest manifest({{"a", 1, 1, 0.02}, {"b", 1, 5, 0.02}}, terms);  // of a run that asks for 0.01
+  EXPECT_EQ(manifest.trial("a").margin, 0.02);
+  EXPECT_DOUBLE_EQ(manifest.trial("b").margin, 0.05);
+  EXPECT_THROW(Manifest({{"a", 1, 1, -1}}, terms), std::invalid_argument);
+}
+
 TEST(Manifest, RunsNoClaimThatIsNotListed) {
   EXPECT_THROW(Manifest({{"a"}}, terms).trial("b"), std::invalid_argument);
 }

@@ -69,8 +69,8 @@ void add_floats(std::vector<Claim>& claims, const SceneComparison& scene) {
 }  // namespace
 
 // What a shadow ray brings is at most S f Le, by cone and by solid angle, and A f Le / d^2 by area; a bounce that shares
-// brings no more, as the densities add up, but where it meets a light so near to its rim that the shadow rays' density is
-// rounded to nothing, and brings f Le cos / p < Le. Throughputs are at most 1.02, by the lobe of exponent 40.
+// brings no more, as the densities add up, and nothing where it meets a light so near to its rim that the shadow rays' density is
+// rounded to nothing. Throughputs are at most 1.02, by the lobe of exponent 40.
 void add_built_in_scene_claims(std::vector<Claim>& claims) {
   // A light of radius 1.5 is nowhere nearer than 15 to what it lights: 9 Le f pi / 15^2 = 12.8 by area, four times a path, for each.
   SceneComparison simple{"cornell-simple", 4, 4 * 12.8, 0.4, 10};
@@ -87,17 +87,12 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   claims.push_back(cornell_by_sets<Packet, PaddedSobol>("sobol", "PaddedSobol"));
   claims.push_back(cornell_by_sets<double, PaddedStrata>("stratified", "PaddedStrata"));
   claims.push_back(cornell_by_sets<Packet, PaddedStrata>("stratified", "PaddedStrata"));
-  // Of a bounce's directions a light fills less than pi (1.5 / 15)^2 / pi = 0.01, and its rim, 1e-5 of a radius wide, 2e-7: four
-  // times a path, Le = 400 and the albedo 0.8 for each.
-  simple.tail_slack = 4 * 2e-7 * 320;
   simple.margin_factor = 20;
   add_bounces(claims, simple, "cone", false);
   // Two such lights; of equal powers at the distances 15 and 150 the fainter is chosen with 1/101 at least, and brings then
   // S f Le = 0.008 at most: less than the nearer one.
   SceneComparison complex{"cornell-complex", 4, 4 * 2 * 12.8, 0.4, 30};
   add_which_light(claims, complex, "area", {"one", "power", "contribution"});
-  complex.tail_slack = 2 * simple.tail_slack;
-  complex.margin_factor = 30;
   add_bounces(claims, complex, "cone", false);
   // Rough metal: f cos <= D / (2 alpha) <= 1 / (2 pi 0.25^3) = 10.2, of a light of radius 6 that is 44 away, S < 0.06, so 16; gloss
   // 4 x 0.05 x 25 = 5; the ceiling 0.43 x 25 x 0.8 / pi = 2.8; and the light itself, 25, seen in a mirror or through glass.
