@@ -23,14 +23,18 @@ class Materials {
         kinds_(table_of<Real>(scene.surfaces().size(), [&](std::size_t i) {
           return static_cast<double>(scene.surfaces()[i].material.kind);
         })) {
-    for (const Surface& surface : scene.surfaces()) has_[static_cast<std::size_t>(surface.material.kind)] = true;
+    for (const Surface& surface : scene.surfaces()) {
+      has_[static_cast<std::size_t>(surface.material.kind)] = true;
+      all_diffuse_ = all_diffuse_ && surface.material.kind == Material::Kind::diffuse;
+    }
   }
 
   Rgb<Real> albedo(const Index<Real>& surface) const { return albedos_(surface).array(); }
   Rgb<Real> emission(const Index<Real>& surface) const { return radiances_(surface).array(); }
   Real parameter(const Index<Real>& surface) const { return parameters_(surface); }
 
-  /// Whether any surface is of a kind; and where this one is.
+  /// Whether all surfaces are diffuse, any is of a kind; and where this one is.
+  bool all_diffuse() const { return all_diffuse_; }
   bool has(Material::Kind kind) const { return has_[static_cast<std::size_t>(kind)]; }
   Mask<Real> is(Material::Kind kind, const Index<Real>& surface) const {
     return kinds_(surface) == Real(static_cast<Lane<Real>>(kind));
@@ -40,6 +44,7 @@ class Materials {
   Table3<Real> albedos_, radiances_;
   Table<Real> parameters_, kinds_;
   std::array<bool, Material::kinds> has_{};
+  bool all_diffuse_ = true;
 };
 
 /// The BSDF of the surface at a vertex, in world directions; each lane may have a kind of its own. Diffuse surfaces are
@@ -116,6 +121,7 @@ class SurfaceBsdf {
   // is 1, which is in every domain.
   auto of_kind(const auto& of) const {
     auto value = of(Lambertian<Real, Directions>(albedo_, directions_));
+    if (materials_.all_diffuse()) return value;
     const auto add = [&](Kind kind, const auto& make) {
       if (!materials_.has(kind)) return;
       const Mask<Real> here = materials_.is(kind, surface_);

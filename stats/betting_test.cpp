@@ -23,6 +23,9 @@ constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
 // More slack than this part of the margin would slow the accept side, whose bets do not know of it.
 constexpr double largest_slack = 0.05;
 
+// Sums of many cubes of such a range are numbers still.
+constexpr double largest_range = 1e100;
+
 // Of alpha, the part that giving up on right code may take; the rest is for calling it biased.
 constexpr double part_for_giving_up = 0.02;
 
@@ -77,6 +80,10 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   }
   if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper && std::isfinite(h.upper - h.lower))) {
     throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
+  }
+  if (!(h.upper - h.lower < largest_range)) {
+    throw std::invalid_argument(
+        "the declared range must be shorter than 1e100 (rescale the draws: their cubes are summed)");
   }
   if (!(h.rounding >= 0 && h.rounding <= h.margin / 4)) {
     throw std::invalid_argument("the rounding must be nonnegative and at most a quarter of the margin");

@@ -45,7 +45,7 @@ class Manifest {
     std::string name;
     double weight = 1;         ///< its part of the budget
     double margin_factor = 1;  ///< its margin, in units of the run's
-    double finest_margin = 0;  ///< its margin where the run's is finer: what it rounds would hide a smaller bias
+    double finest_margin = 0;  ///< its margin where the run's is finer than its roundings allow
   };
   struct Terms {
     std::uint64_t seed;

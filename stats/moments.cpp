@@ -77,8 +77,8 @@ void Moments::merge(const Moments& other) {
   m2_ += other.m2_ + spread;
   mean_ += d * b;
   count_ += other.count_;
-  minimum_ = std::min(minimum_, other.minimum_);
-  maximum_ = std::max(maximum_, other.maximum_);
+  minimum_ = std::isnan(other.minimum_) ? other.minimum_ : std::min(minimum_, other.minimum_);
+  maximum_ = std::isnan(other.maximum_) ? other.maximum_ : std::max(maximum_, other.maximum_);
 }
 
 double Moments::variance() const {

@@ -19,7 +19,7 @@ struct Claim {
   double margin_factor;               ///< its margin, in units of the run's: 1, or more where 1 would take too long
   std::function<Finding(const Trial&)> check;
   std::string real = "double";  ///< the arithmetic: double | packet
-  double finest_margin = 0;     ///< its margin where the run's is finer: what its arithmetic rounds would hide a smaller bias
+  double finest_margin = 0;     ///< its margin where the run's is finer than its roundings allow
   double weight = 1;            ///< its share of the budget is weight / the sum of all weights
   std::string file{};           ///< of claims/, where it is made; the registry fills it in
 };

@@ -64,6 +64,11 @@ TEST(Moments, ShowANumberThatIsNone) {
     draws[bad] = std::nan("");
     const Moments moments = Moments::of(draws);
     EXPECT_TRUE(std::isnan(moments.minimum()) && std::isnan(moments.maximum()) && std::isnan(moments.mean()));
+    for (bool first : {true, false}) {  // whichever part has it
+      Moments whole = first ? moments : Moments::of(std::vector(5, 1.0));
+      whole.merge(first ? Moments::of(std::vector(5, 1.0)) : moments);
+      EXPECT_TRUE(std::isnan(whole.minimum()) && std::isnan(whole.maximum()) && std::isnan(whole.mean())) << first;
+    }
   }
 }
 

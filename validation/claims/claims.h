@@ -1,9 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/claim.h>
 
 namespace fairlight {
 
@@ -23,8 +22,7 @@ void add_built_in_scene_claims(std::vector<Claim>& claims);
 void add_relation_claims(std::vector<Claim>& claims);
 void add_paired_path_claims(std::vector<Claim>& claims);
 
-/// All of them, each with the name of its file, for packets as wide as this is compiled for. What floats round may be a quarter of a
-/// margin.
+/// All of them, each with the name of its file, for packets as wide as this is compiled for.
 inline void add_claims(std::vector<Claim>& claims) {
   struct Topic {
     const char* file;
@@ -46,11 +44,7 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"paired_paths.cpp", add_paired_path_claims}}) {
     const std::size_t before = claims.size();
     topic.add(claims);
-    for (std::size_t i = before; i < claims.size(); ++i) {
-      Claim& claim = claims[i];
-      claim.file = topic.file;
-      if (claim.real == "packet") claim.finest_margin = std::max(claim.finest_margin, 4 * arithmetic_rounding<Packet>);
-    }
+    for (std::size_t i = before; i < claims.size(); ++i) claims[i].file = topic.file;
   }
 }
 
