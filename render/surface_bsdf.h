@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
 #include <fairlight/estimators/dielectric.h>
 #include <fairlight/estimators/glossy.h>
@@ -23,18 +25,15 @@ class Materials {
         kinds_(table_of<Real>(scene.surfaces().size(), [&](std::size_t i) {
           return static_cast<double>(scene.surfaces()[i].material.kind);
         })) {
-    for (const Surface& surface : scene.surfaces()) {
-      has_[static_cast<std::size_t>(surface.material.kind)] = true;
-      all_diffuse_ = all_diffuse_ && surface.material.kind == Material::Kind::diffuse;
-    }
+    for (const Surface& surface : scene.surfaces()) has_[static_cast<std::size_t>(surface.material.kind)] = true;
   }
 
   Rgb<Real> albedo(const Index<Real>& surface) const { return albedos_(surface).array(); }
   Rgb<Real> emission(const Index<Real>& surface) const { return radiances_(surface).array(); }
   Real parameter(const Index<Real>& surface) const { return parameters_(surface); }
 
-  /// Whether all surfaces are diffuse, any is of a kind; and where this one is.
-  bool all_diffuse() const { return all_diffuse_; }
+  /// Whether all surfaces are diffuse, the first kind; whether any is of a kind; and where this one is.
+  bool all_diffuse() const { return std::none_of(has_.begin() + 1, has_.end(), std::identity()); }
   bool has(Material::Kind kind) const { return has_[static_cast<std::size_t>(kind)]; }
   Mask<Real> is(Material::Kind kind, const Index<Real>& surface) const {
     return kinds_(surface) == Real(static_cast<Lane<Real>>(kind));
@@ -44,7 +43,6 @@ class Materials {
   Table3<Real> albedos_, radiances_;
   Table<Real> parameters_, kinds_;
   std::array<bool, Material::kinds> has_{};
-  bool all_diffuse_ = true;
 };
 
 /// The BSDF of the surface at a vertex, in world directions; each lane may have a kind of its own. Diffuse surfaces are

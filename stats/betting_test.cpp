@@ -78,7 +78,7 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   if (!(h.margin > 0) || !std::isfinite(h.margin)) {
     throw std::invalid_argument("the margin must be positive (no finite sample shows that a bias is exactly zero)");
   }
-  if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper && std::isfinite(h.upper - h.lower))) {
+  if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper)) {
     throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
   }
   if (!(h.upper - h.lower < largest_range)) {

@@ -66,7 +66,8 @@ struct Wealth {
 class BettingTest {
  public:
   /// alpha: level of all that goes wrong on right code, 98 % of it for `biased` and the rest for giving up; beta: miss rate of `certified`; both in (0,1).
-  /// Throws std::invalid_argument when the hypothesis is not lower < mean < upper with a positive margin, or its range not shorter than 1e100.
+  /// Throws std::invalid_argument when the hypothesis is not lower < mean < upper with a positive margin, or its range is not
+  /// shorter than 1e100.
   BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta);
 
   /// How many draws the next block should hold.

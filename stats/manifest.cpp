@@ -28,8 +28,8 @@ Manifest::Manifest(std::vector<Row> rows, const Terms& terms)
       throw std::invalid_argument("two claims are named \"" + rows_[i].name +
                                   "\" (a name owns its random numbers)");
     }
-    if (!(rows_[i].finest_margin >= 0)) {
-      throw std::invalid_argument("the finest margin of \"" + rows_[i].name + "\" must be nonnegative");
+    if (!(rows_[i].finest_margin >= 0 && rows_[i].finest_margin < 1)) {
+      throw std::invalid_argument("the finest margin of \"" + rows_[i].name + "\" must be in [0,1)");
     }
   }
 }

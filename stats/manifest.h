@@ -55,7 +55,7 @@ class Manifest {
   };
 
   /// Throws std::invalid_argument for two rows of one name, no rows, a budget, miss rate or margin outside (0,1),
-  /// a weight that is not positive or a finest margin that is negative.
+  /// a weight that is not positive or a finest margin outside [0,1).
   Manifest(std::vector<Row> rows, const Terms& terms);
 
   /// The trial of a claim: the same whatever else runs. Throws std::invalid_argument for a claim that is not

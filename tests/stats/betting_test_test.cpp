@@ -129,8 +129,7 @@ TEST(BettingTest, RefusesAHypothesisThatCannotBeTested) {
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 0.55}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, std::numeric_limits<double>::infinity()}, alpha, beta),
                std::invalid_argument);
-  EXPECT_THROW(BettingTest({0.5, 0.1, -6e99, 6e99}, alpha, beta),
-               std::invalid_argument);  // sums of its cubes overflow
+  EXPECT_THROW(BettingTest({0.5, 0.1, -6e99, 6e99}, alpha, beta), std::invalid_argument);  // its cubes overflow
   EXPECT_NO_THROW(BettingTest({0.5, 0.1, -4e99, 4e99}, alpha, beta));
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 1, 0.2}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 1, -1}, alpha, beta), std::invalid_argument);

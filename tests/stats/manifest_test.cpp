@@ -23,7 +23,9 @@ TEST(Manifest, AsksNoClaimForMoreThanItCanShow) {
   const Manifest manifest({{"a", 1, 1, 0.02}, {"b", 1, 5, 0.02}}, terms);  // of a run that asks for 0.01
   EXPECT_EQ(manifest.trial("a").margin, 0.02);
   EXPECT_DOUBLE_EQ(manifest.trial("b").margin, 0.05);
-  EXPECT_THROW(Manifest({{"a", 1, 1, -1}}, terms), std::invalid_argument);
+  for (double wrong : {-1.0, 1.0}) {
+    EXPECT_THROW(Manifest({{"a", 1, 1, wrong}}, terms), std::invalid_argument) << wrong;
+  }
 }
 
 TEST(Manifest, RunsNoClaimThatIsNotListed) {
