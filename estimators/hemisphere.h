@@ -52,7 +52,7 @@ struct CosineHemisphere {
   Vec2<Real> invert(const Point& w) const { return {w.x() * w.x() + w.y() * w.y(), detail::turn_about_z(w)}; }
 
   Density<Measure, Real> pdf(const Point& w) const {
-    return Density<Measure, Real>(select(w.z() > Real(0), Real(w.z() / pi<Real>), Real(0)));
+    return Density<Measure, Real>(select(w.z() > Real(0), Real(w.z() * (Real(1) / pi<Real>)), Real(0)));
   }
 };
 

@@ -34,7 +34,7 @@ class Lambertian {
 
   Bounce<Real> sample(const Vec3<Real>& out, const Vec2<Real>& u) const {
     const Vec3<Real> in = directions_.sample(u);
-    return {in, Rgb<Real>(eval(out, in) * in.z() / pdf(out, in)), pdf(out, in)};
+    return {in, Rgb<Real>(eval(out, in) * Real(in.z() / pdf(out, in).value())), pdf(out, in)};
   }
 
  private:

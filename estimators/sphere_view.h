@@ -35,11 +35,12 @@ class SphereView {
     const Vec3<Real> way(radius_ * normal.x(), radius_ * normal.y(), height_ + radius_ * drop);
     const Real length = way.norm();
     const Real distance = select(length > Real(0), length, Real(1));
-    const Real inwards = (distance_ * drop - height_) / distance;
+    const Real inverse = Real(1) / distance;
+    const Real inwards = (distance_ * drop - height_) * inverse;
     const Real cosine = select(outside(), Real(-inwards), inwards);
     const Mask<Real> seen = cosine > Real(0);
     const auto over_angle = to_solid_angle(density, distance, select(seen, cosine, Real(1)));
-    return {frame_.to_world(Vec3<Real>(way / distance)), length,
+    return {frame_.to_world(Vec3<Real>(way * inverse)), length,
             Density<SolidAngle, Real>(select(seen, over_angle.value(), Real(0)))};
   }
 
@@ -82,8 +83,8 @@ class SphereView {
   static Vec3<Real> ahead(const Vec3<Real>& offset) {
     const Real length = offset.norm();
     const Mask<Real> apart = length > Real(0);
-    return select(apart, Vec3<Real>(offset / select(apart, Real(-length), Real(1))),
-                  Vec3<Real>(Real(0), Real(0), Real(1)));
+    const Real inverse = Real(-1) / select(apart, length, Real(1));
+    return select(apart, Vec3<Real>(offset * inverse), Vec3<Real>(Real(0), Real(0), Real(1)));
   }
 
   // 1 - cos(a) of the cone of directions that meet the sphere: outside sin(a) = r/d; at the surface a is a right angle, and

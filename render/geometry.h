@@ -3,7 +3,7 @@
 #include <array>
 
 #include <fairlight/estimators/table.h>
-#include <fairlight/render/scene.h>
+#include <fairlight/render/lit_side.h>
 
 namespace fairlight {
 
@@ -33,7 +33,8 @@ Table<Real> table_of(std::size_t n, const auto& of) {
   return Table<Real>(column);
 }
 
-/// The surfaces of a scene in one arithmetic: every ray is tested against one surface after the other, all lanes at once.
+/// The surfaces of a scene in one arithmetic: every ray is tested against one surface after the other, all lanes at once. Of a
+/// sphere with all light on one side only that side is looked at, which is half the work: see LitSide.
 template <class Real>
 class Geometry {
  public:
@@ -44,38 +45,59 @@ class Geometry {
                                    [&](std::size_t i) { return scene.surfaces()[i].shape.curvature; })) {
     for (std::size_t i = 0; i < scene.surfaces().size(); ++i) {
       const Surface& surface = scene.surfaces()[i];
-      const auto index = static_cast<Number>(i);
+      const bool obstacle = may_obstruct(scene, i);
+      const auto add = [&](auto& all, auto& obstacles, const auto& shape) {
+        all.push_back({shape, static_cast<Number>(i)});
+        if (obstacle) obstacles.push_back(all.back());
+      };
       if (surface.rectangle) {
-        rectangles_.push_back({narrowed(*surface.rectangle), index});
+        add(rectangles_, rectangles_between_, narrowed(*surface.rectangle));
       } else {
-        spheres_.push_back({narrowed(surface.shape), index});
+        const LitSide side = lit_side(scene, i);
+        add(side == LitSide::inside    ? lit_inside_
+            : side == LitSide::outside ? lit_outside_
+                                       : spheres_,
+            spheres_between_, narrowed(surface.shape));
       }
     }
   }
 
-  /// The first surface that a ray meets.
+  /// The first surface that a ray meets. A path that starts where no light is, away from all surfaces, meets none.
   Hit<Real> intersect(const Ray<Real>& ray) const {
-    auto nearest = Crossing<Real>::nowhere();
-    Real surface(-1);
-    each([&](const auto& shape, Real index) {
-      const Crossing<Real> crossing = shape.crossing(ray.origin, ray.direction, ray.leaving == index);
-      const Mask<Real> closer = crossing.before(nearest);
-      nearest = {select(closer, crossing.numerator, nearest.numerator),
-                 select(closer, crossing.denominator, nearest.denominator)};
-      surface = select(closer, index, surface);
+    using std::max;
+    Real dark(0);
+    Nearest nearest;
+    each(lit_inside_, ray, [&](const auto& sphere, const Mask<Real>& leaving, Real index) {
+      const auto [exit, twice_level] = sphere.exit(ray.origin, ray.direction, leaving);
+      nearest.add(exit, index);
+      dark = max(dark, twice_level);
     });
-    return {nearest.distance(), surface};
+    each(lit_outside_, ray, [&](const auto& sphere, const Mask<Real>& leaving, Real index) {
+      const auto [entry, twice_level] = sphere.entry(ray.origin, ray.direction, leaving);
+      nearest.add(entry, index);
+      dark = max(dark, Real(-twice_level));
+    });
+    const auto meet = [&](const auto& shape, const Mask<Real>& leaving, Real index) {
+      nearest.add(shape.crossing(ray.origin, ray.direction, leaving), index);
+    };
+    each(spheres_, ray, meet);
+    each(rectangles_, ray, meet);
+    const Mask<Real> unlit = dark > Real(0) && ray.leaving < Real(0);
+    return {select(unlit, Real(infinity<Real>), nearest.crossing.distance()),
+            select(unlit, Real(-1), nearest.surface)};
   }
 
-  /// Whether nothing but the surface `target` stands on the ray closer than `distance` [m]. The target is convex
-  /// and its point faces the origin, so it does not stand in its own way.
+  /// Whether nothing but the luminaire `target` stands on a ray from a vertex of a lit path closer than `distance` [m], where a
+  /// point of the target is. It is convex and the point faces the origin, so it does not stand in its own way.
   Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target) const {
     using std::max;
     Real most(0);
-    each([&](const auto& shape, Real index) {
-      const Real obstruction = shape.obstruction(ray.origin, ray.direction, ray.leaving == index, distance);
+    const auto stand = [&](const auto& shape, const Mask<Real>& leaving, Real index) {
+      const Real obstruction = shape.obstruction(ray.origin, ray.direction, leaving, distance);
       most = max(most, select(index == target, Real(0), obstruction));
-    });
+    };
+    each(spheres_between_, ray, stand);
+    each(rectangles_between_, ray, stand);
     return most <= Real(0);
   }
 
@@ -84,7 +106,7 @@ class Geometry {
   Vec3<Real> normal_at(const Index<Real>& surface, const Vec3<Real>& position) const {
     const Sphere<Real> shape{anchors_(surface), normals_(surface), curvatures_(surface)};
     const Vec3<Real> gradient = shape.normal_at(position);
-    return gradient / gradient.norm();
+    return gradient * Real(Real(1) / gradient.norm());
   }
 
  private:
@@ -102,13 +124,25 @@ class Geometry {
     return {narrowed(r.plane), r.x.template cast<Number>(), r.y.template cast<Number>()};
   }
 
-  void each(const auto& visit) const {
-    for (const auto& [shape, index] : spheres_) visit(shape.template in<Real>(), Real(index));
-    for (const auto& [shape, index] : rectangles_) visit(shape.template in<Real>(), Real(index));
+  struct Nearest {
+    Crossing<Real> crossing = Crossing<Real>::nowhere();
+    Real surface = Real(-1);
+
+    void add(const Crossing<Real>& other, Real index) {
+      const Mask<Real> closer = other.before(crossing);
+      crossing = {select(closer, other.numerator, crossing.numerator),
+                  select(closer, other.denominator, crossing.denominator)};
+      surface = select(closer, index, surface);
+    }
+  };
+
+  static void each(const auto& shapes, const Ray<Real>& ray, const auto& visit) {
+    for (const auto& [shape, index] : shapes)
+      visit(shape.template in<Real>(), ray.leaving == Real(index), Real(index));
   }
 
-  std::vector<Indexed<Sphere<Number>>> spheres_;
-  std::vector<Indexed<Rectangle<Number>>> rectangles_;
+  std::vector<Indexed<Sphere<Number>>> lit_inside_, lit_outside_, spheres_, spheres_between_;
+  std::vector<Indexed<Rectangle<Number>>> rectangles_, rectangles_between_;
   Table3<Real> anchors_, normals_;
   Table<Real> curvatures_;
 };

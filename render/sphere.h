@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <fairlight/estimators/vec.h>
 
 namespace fairlight {
@@ -63,6 +65,25 @@ struct Sphere {
     const Real over = select(across, q, line.twice_level);
     const Real under = select(across, curvature, q);
     return {over * copysign(Real(1), under), abs(under)};
+  }
+
+  /// Of an origin that is inside or on the sphere: where the ray leaves it, and twice the level of the origin.
+  std::pair<Crossing<Real>, Real> exit(const Vec3<Real>& origin, const Vec3<Real>& direction,
+                                       const Mask<Real>& leaving) const {
+    using std::abs;
+    using std::sqrt;
+    const Line line = seen_from(origin, direction, leaving);
+    const Real sum = abs(line.slope) + sqrt(line.depth);
+    const Mask<Real> inwards = line.slope < Real(0);
+    return {{select(inwards, sum, Real(-line.twice_level)), select(inwards, curvature, sum)}, line.twice_level};
+  }
+
+  /// Of an origin that is outside or on the sphere: where the ray enters it, and twice the level of the origin.
+  std::pair<Crossing<Real>, Real> entry(const Vec3<Real>& origin, const Vec3<Real>& direction,
+                                        const Mask<Real>& leaving) const {
+    using std::sqrt;
+    const Line line = seen_from(origin, direction, leaving);
+    return {{line.twice_level, sqrt(line.depth) - line.slope}, line.twice_level};
   }
 
   /// Positive where the sphere stands on the ray closer than `reach` [m], without a root and with one comparison for all

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fairlight/render/lit_side.h>
+
+namespace fairlight {
+namespace {
+
+bool emits(const Surface& surface) { return (surface.radiance > 0).any(); }
+
+// Whether `holds` is so for the distance of a sphere's centre from that of each luminaire, and the two radii [m].
+bool for_all_luminaires(const Scene& scene, const Sphere<double>& sphere, const auto& holds) {
+  const double radius = 1 / sphere.curvature;
+  const Vec3<double> centre = sphere.anchor - radius * sphere.normal;
+  return std::ranges::all_of(scene.luminaires(), [&](const Luminaire& light) {
+    return holds((light.centre - centre).norm(), radius, light);
+  });
+}
+
+// A sphere may be around another; a rectangle is in the sphere about it.
+bool is_outside(double distance, double radius, const Luminaire& light) {
+  return distance > radius + light.radius || (!light.is_rectangle && light.radius > radius + distance);
+}
+bool is_inside(double distance, double radius, const Luminaire& light) { return radius > distance + light.radius; }
+
+// How far a surface reaches beyond a plane, along its normal [m].
+double reach_beyond(const Sphere<double>& plane, const Surface& surface) {
+  const double middle = plane.normal.dot(surface.shape.anchor - plane.anchor);
+  if (!surface.rectangle) return middle + (1 - plane.normal.dot(surface.shape.normal)) / surface.shape.curvature;
+  const auto half = [&](const Vec3<double>& axis) { return std::abs(plane.normal.dot(axis)) / axis.squaredNorm(); };
+  return middle + half(surface.rectangle->x) + half(surface.rectangle->y);
+}
+
+// To the rounding of where they are.
+bool none_beyond(const Sphere<double>& plane, const Scene& scene) {
+  return std::ranges::all_of(scene.surfaces(), [&](const Surface& surface) {
+    return reach_beyond(plane, surface) <= 1e-12 * (surface.shape.anchor.norm() + plane.anchor.norm());
+  });
+}
+
+}  // namespace
+
+LitSide lit_side(const Scene& scene, std::size_t surface) {
+  const Surface& obstacle = scene.surfaces()[surface];
+  const bool blocks = !obstacle.rectangle && obstacle.material.kind != Material::Kind::glass && !emits(obstacle);
+  if (!blocks || scene.luminaires().empty()) return LitSide::either;
+  if (for_all_luminaires(scene, obstacle.shape, is_inside)) return LitSide::inside;
+  return for_all_luminaires(scene, obstacle.shape, is_outside) ? LitSide::outside : LitSide::either;
+}
+
+bool may_obstruct(const Scene& scene, std::size_t surface) {
+  const Surface& obstacle = scene.surfaces()[surface];
+  if (scene.luminaires().size() == 1 && emits(obstacle)) return false;
+  if (!obstacle.rectangle) return lit_side(scene, surface) != LitSide::inside;
+  const Sphere<double> other_face{obstacle.shape.anchor, -obstacle.shape.normal, 0};
+  return !none_beyond(obstacle.shape, scene) && !none_beyond(other_face, scene);
+}
+
+}  // namespace fairlight
