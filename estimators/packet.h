@@ -192,26 +192,41 @@ xsimd::batch<std::uint32_t, A> lane_numbers() {
 
 namespace detail {
 
-/// A widening multiplication, which xsimd does not have: the 64-bit products of the even 32-bit words; and the even words of
-/// one register between the odd words of another.
+/// A widening multiplication, which xsimd does not have: the 64-bit products of the even 32-bit words; and of the products of even
+/// words and of odd ones, the upper halves and the lower ones, in the order of the words.
 #if defined(__AVX512F__)
 inline __m512i even_products(__m512i a, __m512i b) { return _mm512_mul_epu32(a, b); }
-inline __m512i interleave(__m512i even, __m512i odd) { return _mm512_mask_mov_epi32(even, 0xAAAA, odd); }
+inline __m512i upper_halves(__m512i even, __m512i odd) {
+  return _mm512_mask_shuffle_epi32(odd, 0x5555, even, _MM_PERM_DDBB);
+}
+inline __m512i lower_halves(__m512i even, __m512i odd) {
+  return _mm512_mask_shuffle_epi32(even, 0xAAAA, odd, _MM_PERM_CCAA);
+}
 #endif
 #if defined(__AVX2__)
 inline __m256i even_products(__m256i a, __m256i b) { return _mm256_mul_epu32(a, b); }
-inline __m256i interleave(__m256i even, __m256i odd) { return _mm256_blend_epi32(even, odd, 0xAA); }
+inline __m256i upper_halves(__m256i even, __m256i odd) {
+  return _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xAA);
+}
+inline __m256i lower_halves(__m256i even, __m256i odd) {
+  return _mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xAA);
+}
 #endif
 #if defined(__SSE2__)
 inline __m128i even_products(__m128i a, __m128i b) { return _mm_mul_epu32(a, b); }
-inline __m128i interleave(__m128i even, __m128i odd) {
-  const __m128i low = _mm_set1_epi64x(0xFFFFFFFF);
-  return _mm_or_si128(_mm_and_si128(low, even), _mm_andnot_si128(low, odd));
+inline __m128i upper_halves(__m128i even, __m128i odd) {
+  return _mm_or_si128(_mm_srli_epi64(even, 32), _mm_andnot_si128(_mm_set1_epi64x(0xFFFFFFFF), odd));
+}
+inline __m128i lower_halves(__m128i even, __m128i odd) {
+  return _mm_or_si128(_mm_and_si128(_mm_set1_epi64x(0xFFFFFFFF), even), _mm_slli_epi64(odd, 32));
 }
 #elif defined(__aarch64__)
 inline uint64x2_t even_products(uint64x2_t a, uint64x2_t b) { return vmull_u32(vmovn_u64(a), vmovn_u64(b)); }
-inline uint64x2_t interleave(uint64x2_t even, uint64x2_t odd) {
-  return vbslq_u64(vdupq_n_u64(0xFFFFFFFF), even, odd);
+inline uint64x2_t upper_halves(uint64x2_t even, uint64x2_t odd) {
+  return vreinterpretq_u64_u32(vtrn2q_u32(vreinterpretq_u32_u64(even), vreinterpretq_u32_u64(odd)));
+}
+inline uint64x2_t lower_halves(uint64x2_t even, uint64x2_t odd) {
+  return vreinterpretq_u64_u32(vtrn1q_u32(vreinterpretq_u32_u64(even), vreinterpretq_u32_u64(odd)));
 }
 #endif
 
@@ -244,8 +259,8 @@ std::array<xsimd::batch<std::uint32_t, A>, 2> multiply_high_low(std::uint32_t a,
   const Wide words = xsimd::bitwise_cast<Wide>(b);
   const Wide even = detail::even_products(factor, words);
   const Wide odd = detail::even_products(factor, words >> 32);
-  const Wide high = detail::interleave(even >> 32, odd);
-  const Wide low = detail::interleave(even, odd << 32);
+  const Wide high = detail::upper_halves(even, odd);
+  const Wide low = detail::lower_halves(even, odd);
   return {xsimd::bitwise_cast<Word>(high), xsimd::bitwise_cast<Word>(low)};
 }
 

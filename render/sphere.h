@@ -72,7 +72,7 @@ struct Sphere {
                                        const Mask<Real>& leaving) const {
     using std::abs;
     using std::sqrt;
-    const Line line = seen_from(origin, direction, leaving);
+    const Line line = seen_from<false>(origin, direction, leaving);
     const Real sum = abs(line.slope) + sqrt(line.depth);
     const Mask<Real> inwards = line.slope < Real(0);
     return {{select(inwards, sum, Real(-line.twice_level)), select(inwards, curvature, sum)}, line.twice_level};
@@ -114,12 +114,14 @@ struct Sphere {
     Mask<Real> far;
   };
 
+  template <bool may_be_far = true>
   Line seen_from(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
     const Vec3<Real> y = origin - anchor;
     const Vec3<Real> gradient = normal + curvature * y;
     const Real twice_level = select(leaving, Real(0), Real(y.dot(normal + gradient)));
     const Real slope = gradient.dot(direction);
     Real depth = slope * slope - curvature * twice_level;
+    if constexpr (!may_be_far) return {twice_level, slope, depth, Mask<Real>(false)};
     const Mask<Real> far = curvature * twice_level > Real(4096);
     if (any(far)) {
       const Vec3<Real> across = gradient - slope * direction;
