@@ -113,7 +113,8 @@ class Camera {
   // From a point of the lens along a direction that goes 1 along the axis.
   template <class Real>
   Ray<Real> starting(const Vec3<Real>& origin, const Vec3<Real>& direction) const {
-    return {origin + direction * rounded<Real>(settings_.start), direction / direction.norm(), Real(-1)};
+    return {origin + direction * rounded<Real>(settings_.start), direction * Real(Real(1) / direction.norm()),
+            Real(-1)};
   }
 
   CameraSettings settings_;

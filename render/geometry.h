@@ -3,6 +3,7 @@
 #include <array>
 
 #include <fairlight/estimators/table.h>
+#include <fairlight/render/flatten.h>
 #include <fairlight/render/lit_side.h>
 
 namespace fairlight {
@@ -63,7 +64,7 @@ class Geometry {
   }
 
   /// The first surface that a ray meets. A path that starts where no light is, away from all surfaces, meets none.
-  Hit<Real> intersect(const Ray<Real>& ray) const {
+  FAIRLIGHT_FLATTEN Hit<Real> intersect(const Ray<Real>& ray) const {
     using std::max;
     Real dark(0);
     Nearest nearest;
@@ -89,7 +90,7 @@ class Geometry {
 
   /// Whether nothing but the luminaire `target` stands on a ray from a vertex of a lit path closer than `distance` [m], where a
   /// point of the target is. It is convex and the point faces the origin, so it does not stand in its own way.
-  Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target) const {
+  FAIRLIGHT_FLATTEN Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target) const {
     using std::max;
     Real most(0);
     const auto stand = [&](const auto& shape, const Mask<Real>& leaving, Real index) {
@@ -103,7 +104,7 @@ class Geometry {
 
   /// The outward unit normal at a point of a surface. A ray that comes from far away, where floats are sparse, ends some way off
   /// it, and the gradient there is not as long as 1.
-  Vec3<Real> normal_at(const Index<Real>& surface, const Vec3<Real>& position) const {
+  FAIRLIGHT_FLATTEN Vec3<Real> normal_at(const Index<Real>& surface, const Vec3<Real>& position) const {
     const Sphere<Real> shape{anchors_(surface), normals_(surface), curvatures_(surface)};
     const Vec3<Real> gradient = shape.normal_at(position);
     return gradient * Real(Real(1) / gradient.norm());

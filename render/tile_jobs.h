@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 
 #include <fairlight/render/tile_renderer.h>
 
@@ -93,13 +94,17 @@ class TileJobs {
     Numbers middle_x{}, middle_y{};
     next_ = 0;
     end_ = std::min<std::size_t>(lanes<Real>, jobs_ - made_);
-    for (std::size_t i = 0; i < end_; ++i) {
-      numbers_[i] = made_++;
-      pixels_[i] = static_cast<std::uint32_t>(y_) * width_ + static_cast<std::uint32_t>(x_);
-      drawn_[i] = first_sample_ + sample_;
-      middle_x[i] = static_cast<Number>(x_) + Number(0.5);
-      middle_y[i] = static_cast<Number>(y_) + Number(0.5);
-      if (++sample_ == samples_) next_pixel();
+    for (std::size_t i = 0; i < end_;) {
+      const std::size_t n = std::min<std::size_t>(end_ - i, samples_ - sample_);  // of one pixel
+      std::iota(&numbers_[i], &numbers_[i] + n, made_);
+      std::fill_n(&pixels_[i], n, static_cast<std::uint32_t>(y_) * width_ + static_cast<std::uint32_t>(x_));
+      std::iota(&drawn_[i], &drawn_[i] + n, first_sample_ + sample_);
+      std::fill_n(&middle_x[i], n, static_cast<Number>(x_) + Number(0.5));
+      std::fill_n(&middle_y[i], n, static_cast<Number>(y_) + Number(0.5));
+      i += n;
+      made_ += static_cast<std::uint32_t>(n);
+      sample_ += static_cast<std::uint32_t>(n);
+      if (sample_ == samples_) next_pixel();
     }
     const auto words = [](const Words& each) { return detail::loaded<Word<Real>>(each); };
     const Vec2<Real> middle(detail::loaded<Real>(middle_x), detail::loaded<Real>(middle_y));

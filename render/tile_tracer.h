@@ -8,13 +8,8 @@
 #include <vector>
 
 #include <fairlight/estimators/vertex_source.h>
+#include <fairlight/render/flatten.h>
 #include <fairlight/render/tile_jobs.h>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define FAIRLIGHT_FLATTEN  // a sanitizer's checks, all in one function, take a compiler a quarter of an hour
-#else
-#define FAIRLIGHT_FLATTEN [[gnu::flatten]]
-#endif
 
 namespace fairlight {
 
@@ -100,7 +95,7 @@ class TileTracer : public TileRenderer {
     }
 
    private:
-    /// A vertex of all paths. Flattened: hundreds of small functions about packets, of which a compiler leaves some uninlined.
+    /// A vertex of all paths.
     FAIRLIGHT_FLATTEN Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
                                          const Mask<Real>& alive) {
       VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job_.pixel, job_.sample, vertex_of(path)});
@@ -141,14 +136,8 @@ class TileTracer : public TileRenderer {
     }
 
     void finish(const Path<Real>& path, std::uint32_t ended) {
-      const auto job = detail::stored<Real, std::uint32_t>(job_.number);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto radiance = detail::stored<Real, Number>(path.radiance[static_cast<Eigen::Index>(c)]);
-        for (std::uint32_t rest = ended; rest != 0; rest &= rest - 1) {
-          const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-          radiance_[c][job[lane]] = radiance[lane];
-        }
-      }
+      for (std::size_t c = 0; c < 3; ++c)
+        scatter(ended, path.radiance[static_cast<Eigen::Index>(c)], radiance_[c].get(), job_.number);
     }
 
     const TileTracer& by_;

@@ -92,6 +92,17 @@ void expect_sample(const std::array<std::array<double, lanes<Packet>>, 7>& drawn
 }
 
 // Lane i is sample first + i, whatever the width.
+TEST(Packet, ScattersTheLanesThatAreAsked) {
+  std::array<float, lanes<Packet> + 2> table{};
+  scatter(0b0110, ramp(), table.data(), Words(1u) + lane_numbers<Packet::arch_type>());
+  for (std::size_t i = 0; i < table.size(); ++i)
+    EXPECT_EQ(table[i], i == 2 || i == 3 ? lanes_of(ramp())[i - 1] : 0) << i;
+  std::array<double, 3> doubles{1, 2, 3};
+  scatter(1, 7.0, doubles.data(), 1);
+  scatter(0, 8.0, doubles.data(), 2);
+  EXPECT_EQ(doubles, (std::array<double, 3>{1, 7, 3}));
+}
+
 TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsSample) {
   const StreamKey key(7, "lanes");
   for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{0xFFFFFFFE}, std::uint64_t{1} << 40}) {
