@@ -76,8 +76,9 @@ struct Shared : Heuristic {
 /// may find the same point.
 /// Formula  sum over L of  w f Le cos / p_w, where the point is seen; else 0
 /// Measure  solid angle, by Points
-/// Domain   luminaires that emit, from without, from within, or from their own surface; 0 where none does. Points must have a density
-///          wherever a luminaire is seen: what they leave out shines for no one
+/// Domain   vertices of a path that started on the lit side of all spheres (see LitSide). Luminaires that emit, from without, from
+///          within, or from their own surface; 0 where none does. Points must have a density wherever a luminaire is seen: what
+///          they leave out shines for no one
 /// Random   two dimensions per shadow ray, and those of the choice
 /// Bound    per luminaire, max(Le f cos / p_w): by area at most A max(Le f) / d^2 with d the smallest distance from the
 ///          vertex to the luminaire, by cone S max(Le f) with S the cone's solid angle

@@ -10,23 +10,30 @@ bool emits(const Surface& surface) { return (surface.radiance > 0).any(); }
 
 // Whether `holds` is so for the distance of a sphere's centre from that of each luminaire, and the two radii [m].
 bool for_all_luminaires(const Scene& scene, const Sphere<double>& sphere, const auto& holds) {
-  const double radius = 1 / sphere.curvature;
-  const Vec3<double> centre = sphere.anchor - radius * sphere.normal;
+  const double radius = sphere.normal.norm() / sphere.curvature;
+  const Vec3<double> centre = sphere.anchor - sphere.normal / sphere.curvature;
   return std::ranges::all_of(scene.luminaires(), [&](const Luminaire& light) {
     return holds((light.centre - centre).norm(), radius, light);
   });
 }
 
+// Clear of the rounding of places that are that far apart.
+constexpr double rounded_up = 1 + 1e-14;
+
 // A sphere may be around another; a rectangle is in the sphere about it.
 bool is_outside(double distance, double radius, const Luminaire& light) {
-  return distance > radius + light.radius || (!light.is_rectangle && light.radius > radius + distance);
+  return distance > rounded_up * (radius + light.radius) ||
+         (!light.is_rectangle && light.radius > rounded_up * (radius + distance));
 }
-bool is_inside(double distance, double radius, const Luminaire& light) { return radius > distance + light.radius; }
+bool is_inside(double distance, double radius, const Luminaire& light) {
+  return radius > rounded_up * (distance + light.radius);
+}
 
 // How far a surface reaches beyond a plane, along its normal [m].
 double reach_beyond(const Sphere<double>& plane, const Surface& surface) {
   const double middle = plane.normal.dot(surface.shape.anchor - plane.anchor);
-  if (!surface.rectangle) return middle + (1 - plane.normal.dot(surface.shape.normal)) / surface.shape.curvature;
+  const Vec3<double>& normal = surface.shape.normal;
+  if (!surface.rectangle) return middle + (normal.norm() - plane.normal.dot(normal)) / surface.shape.curvature;
   const auto half = [&](const Vec3<double>& axis) { return std::abs(plane.normal.dot(axis)) / axis.squaredNorm(); };
   return middle + half(surface.rectangle->x) + half(surface.rectangle->y);
 }
@@ -34,7 +41,7 @@ double reach_beyond(const Sphere<double>& plane, const Surface& surface) {
 // To the rounding of where they are.
 bool none_beyond(const Sphere<double>& plane, const Scene& scene) {
   return std::ranges::all_of(scene.surfaces(), [&](const Surface& surface) {
-    return reach_beyond(plane, surface) <= 1e-12 * (surface.shape.anchor.norm() + plane.anchor.norm());
+    return reach_beyond(plane, surface) <= 1e-14 * (surface.shape.anchor.norm() + plane.anchor.norm());
   });
 }
 

@@ -6,8 +6,8 @@
 
 namespace fairlight {
 
-/// Where a ray first meets a shape ahead: the distance [m] as a fraction, whose denominator is not negative. Nowhere, if the
-/// numerator is not positive or the denominator is 0, or either is no number. Two are compared by their products, as divisions are
+/// Where a ray first meets a shape ahead: the distance [m] as a fraction. Nowhere, if the numerator or the denominator is
+/// not positive or no number. Two are compared by their products, as divisions are
 /// what a machine does fewest of at once.
 template <class Real>
 struct Crossing {
@@ -67,7 +67,7 @@ struct Sphere {
     return {over * copysign(Real(1), under), abs(under)};
   }
 
-  /// Of an origin that is inside or on the sphere: where the ray leaves it, and twice the level of the origin.
+  /// Of an origin that is inside or on the sphere, which is no plane: where the ray leaves it, and twice the level of the origin [m].
   std::pair<Crossing<Real>, Real> exit(const Vec3<Real>& origin, const Vec3<Real>& direction,
                                        const Mask<Real>& leaving) const {
     using std::abs;
@@ -78,7 +78,7 @@ struct Sphere {
     return {{select(inwards, sum, Real(-line.twice_level)), select(inwards, curvature, sum)}, line.twice_level};
   }
 
-  /// Of an origin that is outside or on the sphere: where the ray enters it, and twice the level of the origin.
+  /// Of an origin that is outside or on the sphere: where the ray enters it, and twice the level of the origin [m].
   std::pair<Crossing<Real>, Real> entry(const Vec3<Real>& origin, const Vec3<Real>& direction,
                                         const Mask<Real>& leaving) const {
     using std::sqrt;

@@ -63,6 +63,17 @@ TEST(Packet, ExpandsNumbersIntoTheLanesThatAreNamed) {
   EXPECT_EQ(expand(0, &one, 5.0), 5);
 }
 
+TEST(Packet, ScattersTheLanesThatAreAsked) {
+  std::array<float, lanes<Packet> + 2> table{};
+  scatter(0b0110, ramp(), table.data(), Words(1u) + lane_numbers<Packet::arch_type>());
+  for (std::size_t i = 0; i < table.size(); ++i)
+    EXPECT_EQ(table[i], i == 2 || i == 3 ? lanes_of(ramp())[i - 1] : 0) << i;
+  std::array<double, 3> doubles{1, 2, 3};
+  scatter(1, 7.0, doubles.data(), 1);
+  scatter(0, 8.0, doubles.data(), 2);
+  EXPECT_EQ(doubles, (std::array<double, 3>{1, 7, 3}));
+}
+
 RC_GTEST_PROP(Packet, MultipliesWordsAsWideNumbersDo, ()) {
   const auto a = *rc::gen::arbitrary<std::uint32_t>();
   const auto b = *rc::gen::container<std::array<std::uint32_t, Words::size>>(rc::gen::arbitrary<std::uint32_t>());
@@ -92,17 +103,6 @@ void expect_sample(const std::array<std::array<double, lanes<Packet>>, 7>& drawn
 }
 
 // Lane i is sample first + i, whatever the width.
-TEST(Packet, ScattersTheLanesThatAreAsked) {
-  std::array<float, lanes<Packet> + 2> table{};
-  scatter(0b0110, ramp(), table.data(), Words(1u) + lane_numbers<Packet::arch_type>());
-  for (std::size_t i = 0; i < table.size(); ++i)
-    EXPECT_EQ(table[i], i == 2 || i == 3 ? lanes_of(ramp())[i - 1] : 0) << i;
-  std::array<double, 3> doubles{1, 2, 3};
-  scatter(1, 7.0, doubles.data(), 1);
-  scatter(0, 8.0, doubles.data(), 2);
-  EXPECT_EQ(doubles, (std::array<double, 3>{1, 7, 3}));
-}
-
 TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsSample) {
   const StreamKey key(7, "lanes");
   for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{0xFFFFFFFE}, std::uint64_t{1} << 40}) {

@@ -76,6 +76,7 @@ RC_GTEST_PROP(Geometry, IsTheSameInPackets, ()) {
   scene.add_wall({50, 0, 80}, {0, -1, 0}, 1e5, grey, none);
   scene.add_sphere({30, 16.5, 50}, 16.5, grey, none);
   scene.add_rectangle({60, 10, 10}, {20, 0, 0}, {0, 0, 50}, grey, none);
+  if (*rc::gen::arbitrary<bool>()) scene.add_sphere({50, 60, 80}, 1.5, grey, grey);  // then one side is looked at
   const Vec3<double> direction = UniformSphere<double>().sample(*testing::unit_point());
   const auto hit = Geometry<double>(scene).intersect({{50, 40, 80}, direction, -1});
   const auto packets = Geometry<Packet>(scene).intersect(

@@ -93,13 +93,26 @@ TEST(Obstacles, AreNotRectanglesWithNothingBeyond) {
   EXPECT_TRUE(may_obstruct(with_wall, 0)) << "this wall reaches below it";
 }
 
-// A room that is lit by a sphere or by two: spheres around and in the middle, and rectangles.
+// Exactly on the outside of a wall whose normal is as far from a unit vector as one may be.
+TEST(LitSide, KnowsARadiusByItsNormal) {
+  Scene scene;
+  scene.add_wall({0, 0, 0}, {0.707106781, 0.707106781, 0}, 1e9, grey, none);
+  scene.add_sphere({0.1 * 0.707106781, 0.1 * 0.707106781, 0}, 0.05, grey, lit);
+  EXPECT_NE(lit_side(scene, 0), LitSide::inside);
+}
+
+// A room that is lit by a sphere or by two: spheres around and in the middle, or a floor below all of it; a rectangle, and glass.
 Scene random_room() {
   const auto place = [] { return 6 * *testing::unit_number() - 3; };
   const auto size = [] { return 0.1 + *testing::unit_number(); };
   Scene scene;
-  scene.add_wall({-4, 0, 0}, {-1, 0, 0}, 1e3, grey, none);
-  scene.add_sphere({0, 0, 0}, 6, grey, none);
+  if (*rc::gen::arbitrary<bool>()) {
+    scene.add_wall({-4, 0, 0}, {-1, 0, 0}, 1e3, grey, none);
+    scene.add_sphere({0, 0, 0}, 6, grey, none);
+  } else {
+    scene.add_rectangle({-9, -5, -9}, {18, 0, 0}, {0, 0, 18}, grey, none);
+  }
+  scene.add_sphere({place(), place(), place()}, size(), glass, none);
   for (int i = 0; i < 4; ++i) scene.add_sphere({place(), place(), place()}, size(), grey, none);
   scene.add_rectangle({place(), place(), place()}, {size(), 0, 0}, {0, 0, size()}, grey, none);
   for (int i = *rc::gen::inRange(0, 2); i >= 0; --i)

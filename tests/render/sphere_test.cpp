@@ -26,6 +26,35 @@ TEST(Sphere, IsNotHitWhereARayLeavesIt) {
   EXPECT_DOUBLE_EQ(unit.crossing({1, 0, 0}, {-1, 0, 0}, true).distance(), 2);
 }
 
+// From without as from anywhere: ahead, past it, away from it, and off it; from within the level says so.
+TEST(Sphere, IsEnteredFromWithoutAlone) {
+  const auto entry = [](const Vec3<double>& origin, const Vec3<double>& direction, bool leaving) {
+    const auto [crossing, twice_level] = unit.entry(origin, direction, leaving);
+    EXPECT_DOUBLE_EQ(twice_level, leaving ? 0 : origin.squaredNorm() - 1);
+    return crossing.before(Crossing<double>::nowhere()) ? crossing.distance() : infinity<double>;
+  };
+  EXPECT_DOUBLE_EQ(entry({3, 0, 0}, {-1, 0, 0}, false), 2);
+  EXPECT_EQ(entry({3, 0, 1.5}, {-1, 0, 0}, false), infinity<double>);
+  EXPECT_EQ(entry({3, 0, 0}, {1, 0, 0}, false), infinity<double>);
+  EXPECT_EQ(entry({1, 0, 0}, {0.6, 0.8, 0}, true), infinity<double>);
+  EXPECT_EQ(entry({1, 0, 0}, {0, 1, 0}, true), infinity<double>);
+  EXPECT_EQ(entry({0, 0, 0}, {0.6, 0.8, 0}, false), infinity<double>);
+}
+
+TEST(Sphere, IsLeftFromWithinAlone) {
+  const auto exit = [](const Vec3<double>& origin, const Vec3<double>& direction, bool leaving) {
+    const auto [crossing, twice_level] = unit.exit(origin, direction, leaving);
+    EXPECT_DOUBLE_EQ(twice_level, leaving ? 0 : origin.squaredNorm() - 1);
+    return crossing.before(Crossing<double>::nowhere()) ? crossing.distance() : infinity<double>;
+  };
+  EXPECT_DOUBLE_EQ(exit({0.5, 0, 0}, {1, 0, 0}, false), 0.5);
+  EXPECT_DOUBLE_EQ(exit({0.5, 0, 0}, {-1, 0, 0}, false), 1.5);
+  EXPECT_DOUBLE_EQ(exit({0, 0, 0}, {0.6, 0.8, 0}, false), 1);
+  EXPECT_DOUBLE_EQ(exit({1, 0, 0}, {-0.6, 0.8, 0}, true), 1.2);
+  EXPECT_EQ(exit({1, 0, 0}, {0.6, 0.8, 0}, true), infinity<double>);
+  EXPECT_EQ(exit({3, 0, 0}, {1, 0, 0}, false), infinity<double>);
+}
+
 TEST(Sphere, OfCurvatureZeroIsAPlane) {
   const Sphere<double> plane{{0, 0, 5}, {0, 0, 1}, 0};
   EXPECT_DOUBLE_EQ(plane.crossing({1, 2, 0}, {0, 0.6, 0.8}, false).distance(), 6.25);

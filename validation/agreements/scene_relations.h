@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/agreements/relations.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
 
@@ -58,20 +59,23 @@ inline RelatedViews darker(const std::string& scene) {
 /// ceiling: 2 (1 - sqrt(1 - (1.5 / 16.5)^2)) 0.75 400 = 2.49; the albedo is 0.8 at most.
 inline constexpr PictureMeans box_means{2.49 * (1 + 0.8 + 0.64), 0.19, 1};
 
-/// Far away: path by path, but for what is rounded. A float knows a place that is 1e4 m away to half a millimetre on every axis. That
-/// moves the light by 0.85 mm at most, and where it is nearest, 16.5 m away, its light by 2 x 0.85e-3 / 16.5 = 1e-4.
-inline constexpr double rounding_far_away = 1e-4;
+/// Far away along every axis [m]: path by path, but for what is rounded. A float knows a place that is 1e4 m away to half a millimetre on
+/// every axis. That moves the light by 0.85 mm at most, and where it is nearest, 16.5 m away, its light by 2 x 0.85e-3 / 16.5 = 1e-4.
+struct FarAway {
+  double distance, rounding;
+};
+inline constexpr FarAway far_for_doubles{1e5, 0}, far_for_floats{1e4, 1e-4};
 template <template <class> class Wrong = AsItIs>
-auto far_away(double rounding) {
+auto far_away(const FarAway& away) {
   const View view = built_in_scene("cornell-simple");
   PictureMeans means = box_means;
   means.same_numbers = true;
-  means.rounding = rounding;
+  means.rounding = away.rounding;
   return same_means<Wrong>(
       {"cornell-simple.relation.far",
-       "1e4 m away a scene looks as it did" +
-           std::string(rounding > 0 ? ", but for the half millimetre that floats know there" : ""),
-       view, moved(view, {.shift = {1e4, -1e4, 1e4}}), related_settings("cone", "all", 3)},
+       formatted("%g m away a scene looks as it did", away.distance) +
+           (away.rounding > 0 ? ", but for the half millimetre that floats know there" : ""),
+       view, moved(view, {.shift = away.distance * Vec3<double>(1, -1, 1)}), related_settings("cone", "all", 3)},
       means);
 }
 

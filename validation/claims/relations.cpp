@@ -29,8 +29,8 @@ void add_relation_claims(std::vector<Claim>& claims) {
     add_same_paths(claims, brighter(scene));
     add_same_paths(claims, darker(scene));
   }
-  claims.push_back(mean_claim_alone<double>(far_away(0)));
-  claims.push_back(mean_claim<Packet>(far_away(rounding_far_away)));
+  claims.push_back(mean_claim_alone<double>(far_away(far_for_doubles)));
+  claims.push_back(mean_claim<Packet>(far_away(far_for_floats)));
   add_independent_mean(claims, turned_floor());
   add_independent_mean(claims, upended_floor());
   add_independent_mean(claims, reversed_lights());

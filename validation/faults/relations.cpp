@@ -28,7 +28,7 @@ std::vector<Fault> relation_faults() {
            "epsilon",
            "the class of SORT #29",
            {same_paths<double, FromAMicron>(smaller("cornell-materials"))}},
-          {"shadow-rays-by-the-origin", "epsilon", "mitsuba3 #1962", {mean_claim_alone<double>(far_away<ByTheOrigin>(0))}},
+          {"shadow-rays-by-the-origin", "epsilon", "mitsuba3 #1962", {mean_claim_alone<double>(far_away<ByTheOrigin>(far_for_doubles))}},
           {"surface-zero-is-none",
            "index",
            "the class of an index that is asked whether it is true",
