@@ -211,44 +211,6 @@ xsimd::batch<std::uint32_t, A> lane_numbers() {
 
 namespace detail {
 
-/// A widening multiplication, which xsimd does not have: the 64-bit products of the even 32-bit words; and of the products of even
-/// words and of odd ones, the upper halves and the lower ones, in the order of the words.
-#if defined(__AVX512F__)
-inline __m512i even_products(__m512i a, __m512i b) { return _mm512_mul_epu32(a, b); }
-inline __m512i upper_halves(__m512i even, __m512i odd) {
-  return _mm512_mask_shuffle_epi32(odd, 0x5555, even, _MM_PERM_DDBB);
-}
-inline __m512i lower_halves(__m512i even, __m512i odd) {
-  return _mm512_mask_shuffle_epi32(even, 0xAAAA, odd, _MM_PERM_CCAA);
-}
-#endif
-#if defined(__AVX2__)
-inline __m256i even_products(__m256i a, __m256i b) { return _mm256_mul_epu32(a, b); }
-inline __m256i upper_halves(__m256i even, __m256i odd) {
-  return _mm256_blend_epi32(_mm256_srli_epi64(even, 32), odd, 0xAA);
-}
-inline __m256i lower_halves(__m256i even, __m256i odd) {
-  return _mm256_blend_epi32(even, _mm256_slli_epi64(odd, 32), 0xAA);
-}
-#endif
-#if defined(__SSE2__)
-inline __m128i even_products(__m128i a, __m128i b) { return _mm_mul_epu32(a, b); }
-inline __m128i upper_halves(__m128i even, __m128i odd) {
-  return _mm_or_si128(_mm_srli_epi64(even, 32), _mm_andnot_si128(_mm_set1_epi64x(0xFFFFFFFF), odd));
-}
-inline __m128i lower_halves(__m128i even, __m128i odd) {
-  return _mm_or_si128(_mm_and_si128(_mm_set1_epi64x(0xFFFFFFFF), even), _mm_slli_epi64(odd, 32));
-}
-#elif defined(__aarch64__)
-inline uint64x2_t even_products(uint64x2_t a, uint64x2_t b) { return vmull_u32(vmovn_u64(a), vmovn_u64(b)); }
-inline uint64x2_t upper_halves(uint64x2_t even, uint64x2_t odd) {
-  return vreinterpretq_u64_u32(vtrn2q_u32(vreinterpretq_u32_u64(even), vreinterpretq_u32_u64(odd)));
-}
-inline uint64x2_t lower_halves(uint64x2_t even, uint64x2_t odd) {
-  return vreinterpretq_u64_u32(vtrn1q_u32(vreinterpretq_u32_u64(even), vreinterpretq_u32_u64(odd)));
-}
-#endif
-
 /// xsimd 8 gathers lane by lane where there is an instruction for it.
 #if defined(__AVX512F__)
 inline __m512 gather(const float* table, __m512i i) { return _mm512_i32gather_ps(i, table, sizeof(float)); }
@@ -267,20 +229,6 @@ xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_
 #else
   return xsimd::batch<float, A>::gather(table, i);
 #endif
-}
-
-template <class A>
-std::array<xsimd::batch<std::uint32_t, A>, 2> multiply_high_low(std::uint32_t a,
-                                                                const xsimd::batch<std::uint32_t, A>& b) {
-  using Word = xsimd::batch<std::uint32_t, A>;
-  using Wide = xsimd::batch<std::uint64_t, A>;
-  const Wide factor(std::uint64_t{a});
-  const Wide words = xsimd::bitwise_cast<Wide>(b);
-  const Wide even = detail::even_products(factor, words);
-  const Wide odd = detail::even_products(factor, words >> 32);
-  const Wide high = detail::upper_halves(even, odd);
-  const Wide low = detail::lower_halves(even, odd);
-  return {xsimd::bitwise_cast<Word>(high), xsimd::bitwise_cast<Word>(low)};
 }
 
 }  // namespace fairlight

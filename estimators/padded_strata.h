@@ -20,7 +20,7 @@ class PaddedStrata {
   template <class Real>
   Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
     using W = Word<Real>;
-    const auto words = sets_.shared_words(key_, at, b, 0);
+    const auto words = sets_.shared_words(key_, at, b);
     const W point = sets_.point_of(at.sample);
     Five<Digits<W>> digits = independent_digits(key_, at, b);
     const std::uint32_t rows = sets_.bits() / 2;  // the logarithms of their numbers

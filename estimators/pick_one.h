@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <fairlight/estimators/concepts.h>
+#include <fairlight/estimators/packet_words.h>
 
 namespace fairlight {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include <fairlight/estimators/packet.h>
+#include <fairlight/estimators/packet_words.h>
 
 namespace fairlight {
 

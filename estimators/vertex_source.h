@@ -24,6 +24,14 @@ struct Digits {
   W high, low;
 };
 
+/// Five numbers of 24 digits each, at the top of their words: four words' own, and the lower 8 of three.
+template <class W>
+Five<W> five_of(const std::array<W, 4>& words) {
+  const W low(0xFFu);
+  const W last = ((words[0] & low) << 24) | ((words[1] & low) << 16) | ((words[2] & low) << 8);
+  return {words[0], words[1], words[2], words[3], last};
+}
+
 /// Four random words for a sample, or a set, of a pixel at a vertex.
 template <class Real>
 std::array<Word<Real>, 4> vertex_words(const StreamKey& key, std::uint32_t i, const Word<Real>& sample,
@@ -32,8 +40,7 @@ std::array<Word<Real>, 4> vertex_words(const StreamKey& key, std::uint32_t i, co
   return Philox<W>::draw({W(i), sample, at.vertex, at.pixel}, {W(key.words()[0]), W(key.words()[1])});
 }
 
-/// Five independent numbers of block b: in packets 24 digits of each, the last one's the lower 8 of three words. What a set shares
-/// is counted from 2^31 on.
+/// Five independent numbers of block b, in packets 24 digits of each. What a set shares is counted from 2^31 on.
 template <class Real>
 Five<Digits<Word<Real>>> independent_digits(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) {
   using W = Word<Real>;
@@ -47,9 +54,9 @@ Five<Digits<Word<Real>>> independent_digits(const StreamKey& key, const PathVert
              {second[2], second[3]},
              {third[0], third[1]}}};
   } else {
-    const W low(0xFFu), none(0u);
-    const W last = ((first[0] & low) << 24) | ((first[1] & low) << 16) | ((first[2] & low) << 8);
-    return {{{first[0], none}, {first[1], none}, {first[2], none}, {first[3], none}, {last, none}}};
+    const Five<W> numbers = five_of(first);
+    const W none(0u);
+    return {{{numbers[0], none}, {numbers[1], none}, {numbers[2], none}, {numbers[3], none}, {numbers[4], none}}};
   }
 }
 
@@ -76,6 +83,17 @@ class IndependentNumbers {
   StreamKey key_;
 };
 
+/// A hash of a word, one to one.
+/// Source   Wellons 2018, "Prospecting for hash functions" (lowbias32)
+template <class W>
+W mixed_bits(W x) {
+  x ^= x >> 16;
+  x *= W(0x7FEB352Du);
+  x ^= x >> 15;
+  x *= W(0x846CA68Bu);
+  return x ^ (x >> 16);
+}
+
 /// A pixel's samples may come in sets of n = 2^m points that are spread together: samples 0 .. n-1, n .. 2n-1 and so on.
 /// Sets, pixels, vertices, pairs and singles are independent of each other.
 class SetsOfPoints {
@@ -99,12 +117,24 @@ class SetsOfPoints {
     return sample & W(size() - 1);
   }
 
-  /// Four random words that the points of a set share: of block b, two for i = 0 and 1.
+  /// Four random words that the points of a set share, of block b.
   template <class Real>
-  std::array<Word<Real>, 4> shared_words(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b,
-                                         std::uint32_t i) const {
+  std::array<Word<Real>, 4> shared_words(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) const {
     constexpr std::uint32_t shared = 0x80000000u;
-    return vertex_words(key, shared | (2 * b + i), set_of(at.sample), at);
+    return vertex_words(key, shared | b, set_of(at.sample), at);
+  }
+
+  /// Three words more, for orders of the points: no mean depends on what these are, so that a hash will do, at a third of the time.
+  template <class Real>
+  std::array<Word<Real>, 3> order_words(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) const {
+    using W = Word<Real>;
+    const W place = at.pixel * W(0x9E3779B1u) + ((set_of(at.sample) << 8) + at.vertex) * W(0x85EBCA77u);
+    const W hash = mixed_bits(place + W(key.words()[0] + 0x27D4EB2Fu * b)) ^ W(key.words()[1]);
+    const auto word = [&hash](std::uint32_t factor) {
+      const W product = hash * W(factor);
+      return W(product ^ (product >> 16));
+    };
+    return {word(0x9E3779B1u), word(0x85EBCA77u), word(0xC2B2AE3Du)};
   }
 
  private:
@@ -119,7 +149,7 @@ W shuffled(const W& i, std::uint32_t bits, const W& word) {
   const int half = static_cast<int>((bits + 1) / 2);
   W x = i;
   for (int round = 0; round < 4; ++round) {
-    x = (x * ((word >> (5 * round)) | W(1u)) + (word >> (7 * round + 3))) & mask;
+    x = (multiply_halves(x, W((word >> (5 * round)) | W(1u))) + (word >> (7 * round + 3))) & mask;
     x ^= x >> half;
   }
   return x;

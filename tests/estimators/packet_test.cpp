@@ -74,17 +74,6 @@ TEST(Packet, ScattersTheLanesThatAreAsked) {
   EXPECT_EQ(doubles, (std::array<double, 3>{1, 7, 3}));
 }
 
-RC_GTEST_PROP(Packet, MultipliesWordsAsWideNumbersDo, ()) {
-  const auto a = *rc::gen::arbitrary<std::uint32_t>();
-  const auto b = *rc::gen::container<std::array<std::uint32_t, Words::size>>(rc::gen::arbitrary<std::uint32_t>());
-  const auto [high, low] = multiply_high_low(a, Words::load_unaligned(b.data()));
-  for (std::size_t i = 0; i < Words::size; ++i) {
-    const std::uint64_t product = std::uint64_t{a} * b[i];
-    RC_ASSERT(high.get(i) == product >> 32);
-    RC_ASSERT(low.get(i) == (product & 0xFFFFFFFFu));
-  }
-}
-
 // The five numbers of a Philox block: the upper 24 bits of its words, and the lower 8 of the first three.
 std::array<double, 5> numbers_of(const Philox<std::uint32_t>::Counter& words) {
   std::array<double, 5> numbers{};

@@ -1,4 +1,5 @@
 #include <bit>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -51,6 +52,26 @@ RC_GTEST_PROP(NestedScramble, TakesDifferentShiftsToDifferentNumbers,
               (std::uint32_t x, std::uint32_t a, std::uint32_t b, std::uint32_t factor)) {
   RC_PRE(a != b);
   RC_ASSERT(nested_scramble(x, a, factor) != nested_scramble(x, b, factor));
+}
+
+// Of words of five bits, over all shifts and odd factors: two that part after j bits go to each two that part there, and to each as often.
+TEST(ScramblePairsUpwards, GivesTwoNumbersTheLawOfOwensScrambling) {
+  constexpr std::uint32_t n = 32;
+  for (std::uint32_t y = 1; y < n; ++y) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> times;
+    for (std::uint32_t shift = 0; shift < n; ++shift) {
+      for (std::uint32_t half = 0; half < n / 2; ++half) {
+        const auto scrambled = [&](std::uint32_t x) { return scramble_pairs_upwards(x, shift, 2 * half) % n; };
+        const std::uint32_t a = scrambled(3), b = scrambled(3 ^ y);
+        ASSERT_EQ(std::countr_zero(a ^ b), std::countr_zero(y));
+        ++times[{a, b}];
+      }
+    }
+    const std::size_t places = n * (n / 2 >> std::countr_zero(y));
+    EXPECT_EQ(times.size(), places);
+    for (const auto& [pair, count] : times)
+      EXPECT_EQ(count, n * n / 2 / places) << pair.first << ' ' << pair.second;
+  }
 }
 
 struct Points {

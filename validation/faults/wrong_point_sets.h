@@ -86,11 +86,13 @@ struct OneOrderSobol : PaddedSobol {
   template <class Real>
   Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
     const auto point = sets().point_of(at.sample);
-    const auto number = [&](std::uint32_t i, std::size_t shift) {
-      const auto seeds = sets().shared_words(key, at, b, i);
-      return Real(unit_number(reverse_bits(scramble_upwards(point, seeds[shift], seeds[2])), Word<Real>(0u)));
+    const auto shifts = five_of(sets().shared_words(key, at, b));
+    const auto factor = sets().order_words(key, at, b)[0];
+    const auto number = [&](const Word<Real>& shift) {
+      return Real(
+          unit_number(reverse_bits(scramble_upwards(point, Word<Real>(shift >> 8), factor)), Word<Real>(0u)));
     };
-    return {number(0, 0), number(0, 1), number(1, 0), number(1, 1), number(0, 3)};
+    return {number(shifts[0]), number(shifts[1]), number(shifts[2]), number(shifts[3]), number(shifts[4])};
   }
 
   StreamKey key;
