@@ -73,7 +73,7 @@ TEST(ChiSquare, PoolsNeighboursUntilTheyExpectEighty) {
   EXPECT_EQ(ends_of_groups(p, 1000), (std::vector<std::size_t>{1, 3, 4, 6}));
   EXPECT_EQ(ends_of_groups(p, 2000), (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(ends_of_groups(p, 950), (std::vector<std::size_t>{1, 3, 4, 6}));  // 95 for the last two
-  EXPECT_EQ(ends_of_groups(p, 700), (std::vector<std::size_t>{2, 6}));        // 105, then 35 + 490, and 70 left over
+  EXPECT_EQ(ends_of_groups(p, 700), (std::vector<std::size_t>{2, 6}));  // 105, then 35 + 490, and 70 left over
   EXPECT_TRUE(ends_of_groups(p, 70).empty());
 }
 

@@ -147,7 +147,8 @@ Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::si
   write_whole(header.string(), mutated(read_whole(places_.source + "/" + mutant.file), mutant));
   std::vector<std::string> files = concerned(mutant.file);
   for (std::string& file : files) file.insert(0, claims_folder);
-  const std::vector<std::string> tests = tests_of(mutant.file);  // which take less time than further files of claims
+  const std::vector<std::string> tests =
+      tests_of(mutant.file);  // which take less time than further files of claims
   files.insert(files.begin() + std::min<std::ptrdiff_t>(1, std::ssize(files)), tests.begin(), tests.end());
   std::string run;
   std::size_t of_claims = 0;

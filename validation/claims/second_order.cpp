@@ -106,9 +106,8 @@ Claim cone_against_area() {
 Contender sobol_points_of(std::uint32_t n) {
   const double integral = 2 * std::numbers::pi / 3;
   const double reach = std::numbers::pi / n;
-  return replicates_of<OwenSobol<double>>(formatted("%u scrambled points", n),
-                                          squared_cosine<CosineHemisphere>(), integral - reach, integral + reach,
-                                          n);
+  return replicates_of<OwenSobol<double>>(formatted("%u scrambled points", n), squared_cosine<CosineHemisphere>(),
+                                          integral - reach, integral + reach, n);
 }
 
 Claim sobol_against_independent() {
