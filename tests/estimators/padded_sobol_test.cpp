@@ -48,16 +48,38 @@ RC_GTEST_PROP(PaddedSobol, GivesPacketsTheSameNumbersInTwentyFourDigits,
   }
 }
 
-// The points come in one order in a pair and in another in the next.
-TEST(PaddedSobol, MeetsItsPairsInDifferentOrders) {
-  const PaddedSobol numbers(StreamKey(1, "test"), 64);
-  int alike = 0;
-  for (std::uint32_t i = 0; i < 64; ++i) {
-    const auto u = numbers.block<double>({0, i, 1}, 0);
-    alike += (u[0] < 0.5) == (u[2] < 0.5) ? 1 : 0;
+// The one point of a set is at 0, and only shifted: by 24 bits of a block's words, as often in all, the last one's the lower 8 of three. In
+// double independent digits follow.
+TEST(PaddedSobol, ShiftsByWordsThatNoTwoNumbersShare) {
+  const StreamKey key(1, "test");
+  const auto words = Philox<std::uint32_t>::draw({0x80000001u, 5, 6, 7}, key.words());
+  const std::array<std::uint32_t, 5> shifts{words[0] >> 8, words[1] >> 8, words[2] >> 8, words[3] >> 8,
+                                            (words[0] & 255) << 16 | (words[1] & 255) << 8 | (words[2] & 255)};
+  const PathVertex<double> at{7, 5, 6};
+  const auto after = independent_digits(key, at, 1);
+  const auto u = PaddedSobol(key, 1).block<double>(at, 1);
+  for (std::size_t d = 0; d < u.size(); ++d) {
+    const double rest = (after[d].high >> 24) * 0x1p-8 + (after[d].low >> 11) * 0x1p-29;
+    EXPECT_EQ(u[d], ((reverse_bits(shifts[d]) >> 8) + rest) * 0x1p-24) << d;
   }
-  EXPECT_GT(alike, 0);
-  EXPECT_LT(alike, 64);
+}
+
+// Which points are in the lower half says in what order they come; the digits' shift may turn all of them over.
+TEST(PaddedSobol, HasAnOrderOfItsOwnInEveryPairAndSingleOfEveryBlock) {
+  const PaddedSobol numbers(StreamKey(1, "test"), 64);
+  std::set<std::uint64_t> orders;
+  std::size_t blocks = 0;
+  for (const PathVertex<double>& at : {PathVertex<double>{0, 0, 1}, {0, 0, 2}, {0, 64, 1}, {1, 0, 1}}) {
+    for (std::uint32_t b = 0; b < 2; ++b, ++blocks) {
+      std::array<std::uint64_t, 3> halves{};
+      for (std::uint32_t i = 0; i < 64; ++i) {
+        const auto u = numbers.block<double>({at.pixel, at.sample + i, at.vertex}, b);
+        for (std::size_t k = 0; k < 3; ++k) halves[k] |= std::uint64_t{u[2 * k] < 0.5} << i;
+      }
+      for (const std::uint64_t half : halves) orders.insert(half & 1 ? half : ~half);
+    }
+  }
+  EXPECT_EQ(orders.size(), 3 * blocks);
 }
 
 TEST(PaddedSobol, RefusesSetsThatAreNoPowersOfTwo) {
