@@ -48,19 +48,25 @@ RC_GTEST_PROP(PaddedSobol, GivesPacketsTheSameNumbersInTwentyFourDigits,
   }
 }
 
-// The one point of a set is at 0, and only shifted: by 24 bits of a block's words, as often in all, the last one's the lower 8 of three. In
-// double independent digits follow.
+// The one point of a set is at 0, and only shifted: by 24 bits of a block's words, as often in all, the last one's the lower 8 of three.
 TEST(PaddedSobol, ShiftsByWordsThatNoTwoNumbersShare) {
   const StreamKey key(1, "test");
   const auto words = Philox<std::uint32_t>::draw({0x80000001u, 5, 6, 7}, key.words());
   const std::array<std::uint32_t, 5> shifts{words[0] >> 8, words[1] >> 8, words[2] >> 8, words[3] >> 8,
                                             (words[0] & 255) << 16 | (words[1] & 255) << 8 | (words[2] & 255)};
-  const PathVertex<double> at{7, 5, 6};
+  const auto u = PaddedSobol(key, 1).block<double>({7, 5, 6}, 1);
+  for (std::size_t d = 0; d < u.size(); ++d)
+    EXPECT_EQ(std::floor(u[d] * 0x1p24), reverse_bits(shifts[d]) >> 8) << d;
+}
+
+RC_GTEST_PROP(PaddedSobol, HasIndependentDigitsAfterTheTwentyFourth, (std::uint64_t seed, std::uint32_t sample)) {
+  const StreamKey key(seed, "test");
+  const PathVertex<double> at{7, sample, 6};
   const auto after = independent_digits(key, at, 1);
-  const auto u = PaddedSobol(key, 1).block<double>(at, 1);
+  const auto u = PaddedSobol(key, 1u << *rc::gen::inRange(0, 11)).block<double>(at, 1);
   for (std::size_t d = 0; d < u.size(); ++d) {
     const double rest = (after[d].high >> 24) * 0x1p-8 + (after[d].low >> 11) * 0x1p-29;
-    EXPECT_EQ(u[d], ((reverse_bits(shifts[d]) >> 8) + rest) * 0x1p-24) << d;
+    RC_ASSERT(u[d] * 0x1p24 - std::floor(u[d] * 0x1p24) == rest);
   }
 }
 
