@@ -5,9 +5,9 @@
 
 #include <fairlight/estimators/packet.h>
 
-namespace fairlight {
+/// What random numbers ask of packets of words, and xsimd does not have.
 
-/// What packets of words are asked for by random numbers, and xsimd does not have.
+namespace fairlight {
 
 namespace detail {
 

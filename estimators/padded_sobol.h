@@ -17,7 +17,7 @@ W second_sobol_reversed(W x) {
   return x ^ ((x & W(0xAAAAAAAAu)) >> 1);
 }
 
-/// The numbers of vertices by Sobol's first two dimensions, padded: every pair of every vertex is those two, scrambled by
+/// The numbers of vertices by Sobol's first two dimensions, padded: every pair of every vertex is those two, Owen-scrambled by
 /// seeds of its own, and the points of a set come in an order of its own; a single number is the first of them. So a pair is a
 /// net, and what pairs have in common is chance. A table is not needed, so that lanes may be at different places.
 /// Formula  u_d = scramble_d(sobol_d(order(i))), d = 0 and 1, with seeds for every (pixel, set, vertex, pair)
@@ -40,6 +40,7 @@ class PaddedSobol {
     const W point = sets_.point_of(at.sample);
     Five<Digits<W>> digits{};
     if constexpr (lanes<Real> == 1) digits = independent_digits(key_, at, b);
+    // The halves of a word are the lower halves of two factors, and only those are felt by digits that come soon after points part.
     for (std::size_t pair = 0; pair < 2; ++pair) {
       const W& word = words[pair];
       const W order = shuffled(point, sets_.bits(), word);
@@ -56,7 +57,7 @@ class PaddedSobol {
   // number uniform, exactly.
   template <class W>
   static void lead(Digits<W>& digits, const W& reversed, const W& shift, const W& factor) {
-    const W first = reverse_bits(scramble_pairs_upwards(reversed, W(shift >> 8), factor));
+    const W first = reverse_bits(scramble_upwards(reversed, W(shift >> 8), factor));
     digits = {(first & W(0xFFFFFF00u)) | (digits.high >> 24), digits.low};
   }
 

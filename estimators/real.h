@@ -79,7 +79,7 @@ inline std::array<std::uint32_t, 2> multiply_high_low(std::uint32_t a, std::uint
   return {static_cast<std::uint32_t>(product >> 32), static_cast<std::uint32_t>(product)};
 }
 
-/// The product of words, the first below 2^16, modulo 2^16: what is above is not to be relied on.
+/// The product of words modulo 2^16, which is multiplied faster: what is above is not to be relied on.
 inline std::uint32_t multiply_halves(std::uint32_t a, std::uint32_t b) { return a * b; }
 
 /// The sine and the cosine of a part of a full turn, in [0,1].

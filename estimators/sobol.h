@@ -48,31 +48,21 @@ W reverse_bits(W x) {
   return ((x & W(0xAAAAAAAAu)) >> 1) | ((x & W(0x55555555u)) << 1);
 }
 
-/// Owen's nested uniform scrambling of binary digits, by a hash: each digit is flipped or not, as the digits before
-/// it and the seeds say. On reversed bits these are operations that carry upwards only. `shift` alone makes the
-/// law of a scrambled number uniform, exactly; the rest makes digits of numbers that have parted nearly independent.
-/// Source: Owen 1995; Laine and Karras 2011; Burley 2020, "Practical hash-based Owen scrambling", section 3;
-/// constants by Vegdahl 2021, as in PBR 4ed, 8.6.3 (FastOwenScrambler), which takes shift and factor from one word.
+/// Owen's nested scrambling of binary digits: each digit is flipped or not, as the digits before it and the seeds say. On reversed digits
+/// these are operations that carry upwards only: an odd factor and a shift, and x (2x + 1). Where shift and factor are
+/// uniform, a number becomes any, each as likely as any other, by the shift alone; and two that part after j digits become any two that part there.
+/// That is the law of Owen's scrambling for two points, so a mean has the variance that it has under his. Three points
+/// have it nearly: by factor and shift alone equal steps would stay equal, and rare sets would have all of the error.
+/// Source: Owen 1995, 2003 ("Variance with alternative scramblings of digital nets": what two points have in common decides); Laine
+/// and Karras 2011 (carries); Rivest et al. 1998, "The RC6 block cipher" (x (2x + 1) is one to one).
 template <class W, class Seed>
-W scramble_upwards(W reversed, const Seed& shift, const Seed& factor) {
-  W x = reversed ^ (reversed * W(0x3D20ADEAu));
-  x += W(shift);
-  x *= W(factor) | W(1u);
-  x ^= x * W(0x05526C56u);
-  return x ^ (x * W(0x53A22864u));
+W scramble_upwards(const W& reversed, const Seed& shift, const Seed& factor) {
+  const W x = reversed * (W(factor) | W(1u)) + W(shift);
+  return x * (x + x + W(1u));
 }
 template <class W>
 W nested_scramble(const W& digits, std::uint32_t shift, std::uint32_t factor) {
   return reverse_bits(scramble_upwards(reverse_bits(digits), shift, factor));
-}
-
-/// A scrambling at a quarter of the time, on reversed digits too: by an odd factor and a shift. Where both are uniform, two numbers that part
-/// after j digits become two that part there, any two such as likely as any other: the law that Owen's scrambling gives to two
-/// numbers, so the variance of a mean is that under his. Three numbers have not his law: equal steps stay equal.
-/// Source: Owen 2003, "Variance with alternative scramblings of digital nets", for linear scramblings.
-template <class W>
-W scramble_pairs_upwards(const W& reversed, const W& shift, const W& factor) {
-  return reversed * (factor | W(1u)) + shift;
 }
 
 /// Sobol's points, Owen-scrambled: of 2^k points, one in each elementary interval as far as Sobol's sequence has it

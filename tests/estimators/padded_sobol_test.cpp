@@ -56,7 +56,7 @@ TEST(PaddedSobol, ShiftsByWordsThatNoTwoNumbersShare) {
                                             (words[0] & 255) << 16 | (words[1] & 255) << 8 | (words[2] & 255)};
   const auto u = PaddedSobol(key, 1).block<double>({7, 5, 6}, 1);
   for (std::size_t d = 0; d < u.size(); ++d)
-    EXPECT_EQ(std::floor(u[d] * 0x1p24), reverse_bits(shifts[d]) >> 8) << d;
+    EXPECT_EQ(std::floor(u[d] * 0x1p24), reverse_bits(shifts[d] * (2 * shifts[d] + 1)) >> 8) << d;
 }
 
 RC_GTEST_PROP(PaddedSobol, HasIndependentDigitsAfterTheTwentyFourth, (std::uint64_t seed, std::uint32_t sample)) {

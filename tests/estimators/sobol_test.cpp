@@ -55,13 +55,13 @@ RC_GTEST_PROP(NestedScramble, TakesDifferentShiftsToDifferentNumbers,
 }
 
 // Of words of five bits, over all shifts and odd factors: two that part after j bits go to each two that part there, and to each as often.
-TEST(ScramblePairsUpwards, GivesTwoNumbersTheLawOfOwensScrambling) {
+TEST(ScrambleUpwards, GivesTwoNumbersTheLawOfOwensScrambling) {
   constexpr std::uint32_t n = 32;
   for (std::uint32_t y = 1; y < n; ++y) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> times;
     for (std::uint32_t shift = 0; shift < n; ++shift) {
       for (std::uint32_t half = 0; half < n / 2; ++half) {
-        const auto scrambled = [&](std::uint32_t x) { return scramble_pairs_upwards(x, shift, 2 * half) % n; };
+        const auto scrambled = [&](std::uint32_t x) { return scramble_upwards(x, shift, 2 * half) % n; };
         const std::uint32_t a = scrambled(3), b = scrambled(3 ^ y);
         ASSERT_EQ(std::countr_zero(a ^ b), std::countr_zero(y));
         ++times[{a, b}];
@@ -72,6 +72,14 @@ TEST(ScramblePairsUpwards, GivesTwoNumbersTheLawOfOwensScrambling) {
     for (const auto& [pair, count] : times)
       EXPECT_EQ(count, n * n / 2 / places) << pair.first << ' ' << pair.second;
   }
+}
+
+// x (2x + 1) of 0, 1, 2, 3.
+TEST(ScrambleUpwards, KeepsNoEqualSteps) {
+  EXPECT_EQ(scramble_upwards(0u, 0u, 1u), 0u);
+  EXPECT_EQ(scramble_upwards(1u, 0u, 1u), 3u);
+  EXPECT_EQ(scramble_upwards(2u, 0u, 0u), 10u);  // a factor is made odd
+  EXPECT_EQ(scramble_upwards(1u, 2u, 1u), 21u);
 }
 
 struct Points {

@@ -120,6 +120,12 @@ TEST(SetsOfPoints, RefuseSizesThatAreNoPowersOfTwo) {
   for (const std::uint32_t n : {1u, 2u, 1024u}) EXPECT_NO_THROW(SetsOfPoints{n}) << n;
 }
 
+// By a reading of lowbias32 in another language.
+TEST(MixedBits, AreThePublishedHash) {
+  EXPECT_EQ(mixed_bits(1u), 0x688990C0u);
+  EXPECT_EQ(mixed_bits(0xFFFFFFFFu), 0x6768824Au);
+}
+
 RC_GTEST_PROP(Shuffled, IsAPermutation, (std::uint32_t word)) {
   const std::uint32_t bits = *rc::gen::inRange<std::uint32_t>(0, 11);
   std::set<std::uint32_t> places;

@@ -87,12 +87,12 @@ struct OneOrderSobol : PaddedSobol {
   Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
     const auto point = sets().point_of(at.sample);
     const auto shifts = five_of(sets().shared_words(key, at, b));
-    const auto factor = sets().order_words(key, at, b)[0];
-    const auto number = [&](const Word<Real>& shift) {
-      return Real(
-          unit_number(reverse_bits(scramble_upwards(point, Word<Real>(shift >> 8), factor)), Word<Real>(0u)));
+    const auto factors = sets().order_words(key, at, b);
+    const auto number = [&](std::size_t d) {
+      const auto digits = reverse_bits(scramble_upwards(point, Word<Real>(shifts[d] >> 8), factors[d / 2]));
+      return Real(unit_number(digits & Word<Real>(0xFFFFFF00u), Word<Real>(0u)));
     };
-    return {number(shifts[0]), number(shifts[1]), number(shifts[2]), number(shifts[3]), number(shifts[4])};
+    return {number(0), number(1), number(2), number(3), number(4)};
   }
 
   StreamKey key;
