@@ -48,7 +48,7 @@ RC_GTEST_PROP(PaddedSobol, GivesPacketsTheSameNumbersInTwentyFourDigits,
   }
 }
 
-// The one point of a set is at 0, and only shifted: by 24 bits of a block's words, as often in all, the last one's the lower 8 of three.
+// A set's one point is at 0, so its numbers are scrambled shifts: 24 bits of a block's words each, and the lower 8 of three for the last.
 TEST(PaddedSobol, ShiftsByWordsThatNoTwoNumbersShare) {
   const StreamKey key(1, "test");
   const auto words = Philox<std::uint32_t>::draw({0x80000001u, 5, 6, 7}, key.words());

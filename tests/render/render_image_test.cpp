@@ -49,7 +49,7 @@ TEST(RenderImage, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-// Instruction sets round floats differently, which parts a path now and then; numbers that are not the same part nearly all.
+// Instruction sets round floats differently, which may part a path where it only just hits; numbers that are not the same part nearly all.
 TEST(RenderImage, FollowsTheSamePathsByEveryInstructionSet) {
   for (const char* random : {"independent", "sobol", "stratified"}) {
     const RenderSettings settings = small(random, std::string(random) == "independent" ? 1 : 4);
@@ -63,7 +63,7 @@ TEST(RenderImage, FollowsTheSamePathsByEveryInstructionSet) {
         const Rgb<double> b = other.mean(i % settings.width, i / settings.width);
         parted += ((a - b).abs() > 1e-3 * (a + b)).any() ? 1 : 0;
       }
-      EXPECT_LT(parted, settings.width * settings.height / 10) << random << " by " << set.name;
+      EXPECT_LT(parted, settings.width * settings.height / 100) << random << " by " << set.name;
     }
   }
 }
