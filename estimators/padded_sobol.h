@@ -33,32 +33,44 @@ class PaddedSobol {
   const SetsOfPoints& sets() const { return sets_; }
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
-    using W = Word<Real>;
-    const Five<W> shifts = five_of(sets_.shared_words(key_, at, b));
-    const std::array<W, 3> words = sets_.order_words(key_, at, b);
-    const W point = sets_.point_of(at.sample);
-    Five<Digits<W>> digits{};
-    if constexpr (lanes<Real> == 1) digits = independent_digits(key_, at, b);
-    // The halves of a word are the lower halves of two factors, and only those are felt by digits that come soon after points part.
-    for (std::size_t pair = 0; pair < 2; ++pair) {
-      const W& word = words[pair];
-      const W order = shuffled(point, sets_.bits(), word);
-      lead(digits[2 * pair], order, shifts[2 * pair], word);
-      lead(digits[2 * pair + 1], second_sobol_reversed(order), shifts[2 * pair + 1],
-           W((word << 16) | (word >> 16)));
-    }
-    lead(digits[4], shuffled(point, sets_.bits(), words[2]), shifts[4], words[2]);
-    return unit_numbers<Real>(digits);
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made made = Made::all) const {
+    return made == Made::all ? first<5>(at, b) : first<2>(at, b);
   }
 
  private:
-  // Puts the first 24 digits before those that are there. The shift is independent of the order and of the factor, and makes the
-  // number uniform, exactly.
-  template <class W>
-  static void lead(Digits<W>& digits, const W& reversed, const W& shift, const W& factor) {
-    const W first = reverse_bits(scramble_upwards(reversed, W(shift >> 8), factor));
-    digits = {(first & W(0xFFFFFF00u)) | (digits.high >> 24), digits.low};
+  // The first n of a block. The orders, which take the longest, come first, so that a machine works on the random words meanwhile.
+  template <std::size_t n, class Real>
+  Five<Real> first(const PathVertex<Real>& at, std::uint32_t b) const {
+    using W = Word<Real>;
+    const W point = sets_.point_of(at.sample);
+    const std::array<W, 3> words = sets_.order_words(key_, at, b);
+    const auto order = [&](std::size_t i) { return shuffled(point, sets_.bits(), words[i]); };
+    const std::array<W, 3> orders{order(0), order(1), order(2)};
+    const Five<W> reversed{orders[0], second_sobol_reversed(orders[0]), orders[1], second_sobol_reversed(orders[1]),
+                           orders[2]};
+    // The halves of a word are the lower halves of two factors, and only those are felt by digits that come soon after points part.
+    const auto swapped = [](const W& word) { return W((word << 16) | (word >> 16)); };
+    const Five<W> factors{words[0], swapped(words[0]), words[1], swapped(words[1]), words[2]};
+    const Five<W> shifts = five_of(sets_.shared_words(key_, at, b));
+    const auto following = following_digits(at, b);
+    const auto number = [&](std::size_t i) {
+      return i < n ? scrambled<Real>(reversed[i], shifts[i], factors[i], following[i]) : Real(0);
+    };
+    return {number(0), number(1), number(2), number(3), number(4)};
+  }
+
+  // Of 24 digits, in double of more. The shift is independent of the order and of the factor, and makes them uniform, exactly.
+  template <class Real, class W>
+  static Real scrambled(const W& reversed, const W& shift, const W& factor, const Digits<W>& following) {
+    const W digits = reverse_bits(scramble_upwards(reversed, W(shift >> 8), factor));
+    if constexpr (lanes<Real> > 1) return unit_number(digits, W(0u));
+    return unit_number((digits & W(0xFFFFFF00u)) | (following.high >> 24), following.low);
+  }
+
+  template <class Real>
+  Five<Digits<Word<Real>>> following_digits(const PathVertex<Real>& at, std::uint32_t b) const {
+    if constexpr (lanes<Real> > 1) return {};
+    return independent_digits(key_, at, b);
   }
 
   StreamKey key_;

@@ -18,6 +18,9 @@ struct PathVertex {
 template <class Number>
 using Five = std::array<Number, 5>;
 
+/// Which of them are looked at, so that the others need not be made.
+enum class Made { all, first_pair };
+
 /// 64 binary digits of a number in [0,1), of which packets use the first 24.
 template <class W>
 struct Digits {
@@ -75,7 +78,7 @@ class IndependentNumbers {
   explicit IndependentNumbers(const StreamKey& key, std::uint32_t /*points of a set*/ = 1) : key_(key) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made /*made*/ = Made::all) const {
     return unit_numbers<Real>(independent_digits(key_, at, b));
   }
 
@@ -157,18 +160,20 @@ W shuffled(const W& i, std::uint32_t bits, const W& word) {
   return x;
 }
 
-/// A UniformSource: the numbers of one vertex of a path, a path a lane. `numbers.block(at, b)` makes five at a time. A number is a
-/// function of (key, pixel, sample, vertex, dimension), whatever lane it is in.
+/// A UniformSource: the numbers of one vertex of a path, a path a lane. `numbers.block(at, b, made)` makes five at a time, or the first
+/// pair for a vertex that mostly takes no more. A number is a function of (key, pixel, sample, vertex, dimension), whatever lane it is in.
 /// Source   Salmon et al. 2011; Pharr, Jakob, Humphreys, PBR 4ed, 8.3 (pairs and single numbers are asked for as such)
 template <class Real, class Numbers>
 class VertexSource {
  public:
-  VertexSource(const Numbers& numbers, const PathVertex<Real>& at) : numbers_(numbers), at_(at) {}
+  VertexSource(const Numbers& numbers, const PathVertex<Real>& at, Made made = Made::all)
+      : numbers_(numbers), at_(at), made_(made) {}
 
   /// The next two dimensions.
   std::array<Real, 2> pair() {
     if (pairs_left_ == 0) {
-      block_ = numbers_.template block<Real>(at_, blocks_++);
+      block_ = numbers_.template block<Real>(at_, blocks_++, made_);
+      if (made_ == Made::first_pair) return {block_[0], block_[1]};
       pairs_left_ = 2;
       singles_[0] = block_[4];
       singles_left_ = 1;
@@ -188,6 +193,7 @@ class VertexSource {
  private:
   const Numbers& numbers_;
   PathVertex<Real> at_;
+  Made made_;
   Five<Real> block_{};
   std::array<Real, 2> singles_{};
   std::uint32_t blocks_ = 0;

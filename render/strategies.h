@@ -233,17 +233,17 @@ class ChosenNumbers {
         strata_(key, strategies.points) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b) const {
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made made) const {
     if (random_ == Strategies::Random::independent) [[likely]]
       return independent_.block(at, b);
-    return block_of_set(at, b);
+    return block_of_set(at, b, made);
   }
 
  private:
   /// Called, not inlined, so that independent numbers are as fast as if there were no others.
   template <class Real>
-  [[gnu::noinline, gnu::flatten]] Five<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b) const {
-    return random_ == Strategies::Random::sobol ? sobol_.block(at, b) : strata_.block(at, b);
+  [[gnu::noinline, gnu::flatten]] Five<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b, Made made) const {
+    return random_ == Strategies::Random::sobol ? sobol_.block(at, b, made) : strata_.block(at, b, made);
   }
 
   Strategies::Random random_;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -13,18 +14,28 @@
 
 namespace fairlight {
 
+/// The sum of some samples, by eight sums that a machine adds at once; minus infinity, if one of them is no radiance.
+template <class Number>
+double sum_of(std::span<const Number> samples) {
+  bool wrong = false;
+  for (const Number sample : samples) wrong |= !(sample >= 0);
+  if (wrong) return -infinity<double>;
+  std::array<double, 8> sums{};
+  const std::size_t last = samples.size() % sums.size();
+  const Number* next = samples.data();
+  for (const Number* const end = next + (samples.size() - last); next != end; next += sums.size()) {
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += static_cast<double>(next[i]);
+  }
+  for (std::size_t i = 0; i < last; ++i) sums[i] += static_cast<double>(next[i]);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 /// The means of sets of n samples, each one draw of a film. A sample that is no radiance stands for its set, so that the film refuses it.
 template <class Number>
 std::vector<double> set_means(std::span<const Number> samples, std::uint32_t n) {
   std::vector<double> means;
-  for (std::size_t first = 0; first < samples.size(); first += n) {
-    double sum = 0;
-    for (const Number sample : samples.subspan(first, n)) {
-      sum += static_cast<double>(sample);
-      if (!(sample >= 0)) sum = -infinity<double>;
-    }
-    means.push_back(sum / n);
-  }
+  for (std::size_t first = 0; first < samples.size(); first += n)
+    means.push_back(sum_of(samples.subspan(first, n)) / n);
   return means;
 }
 
@@ -108,7 +119,8 @@ class TileTracer : public TileRenderer {
     /// Gives jobs to idle lanes, and returns those that are still idle.
     FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
       const auto ray_of = [this](const Vec2<Real>& middle, const Job<Real>& job) {
-        VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job.pixel, job.sample, Word<Real>(0u)});
+        VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job.pixel, job.sample, Word<Real>(0u)},
+                                                 by_.camera_.has_lens() ? Made::all : Made::first_pair);
         return pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
       };
       while (idle != 0) {

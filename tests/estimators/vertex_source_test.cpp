@@ -18,7 +18,7 @@ static_assert(UniformSource<VertexSource<Packet, PaddedSobol>, Packet>);
 /// Block b of a vertex is 10 b, 10 b + 1, .. 10 b + 4.
 struct CountedNumbers {
   template <class Real>
-  Five<Real> block(const PathVertex<Real>&, std::uint32_t b) const {
+  Five<Real> block(const PathVertex<Real>&, std::uint32_t b, Made) const {
     Five<Real> numbers;
     for (std::size_t i = 0; i < 5; ++i) numbers[i] = Real(10.0 * b + static_cast<double>(i));
     return numbers;
@@ -40,6 +40,16 @@ TEST(VertexSource, TakesSingleNumbersFromPairsWhereABlockHasNoMore) {
   std::vector<double> drawn;
   for (int i = 0; i < 8; ++i) drawn.push_back(source.next());
   EXPECT_EQ(drawn, (std::vector<double>{0, 1, 4, 2, 3, 10, 11, 14}));
+}
+
+TEST(VertexSource, TakesPairsAloneFromBlocksOfWhichNoMoreIsMade) {
+  const CountedNumbers numbers;
+  VertexSource<double, CountedNumbers> source(numbers, {0, 0, 0}, Made::first_pair);
+  EXPECT_EQ(next_pair<double>(source), Vec2<double>(0, 1));
+  EXPECT_EQ(next_pair<double>(source), Vec2<double>(10, 11));
+  EXPECT_EQ(source.next(), 20);
+  EXPECT_EQ(source.next(), 21);
+  EXPECT_EQ(source.next(), 30);
 }
 
 TEST(IndependentNumbers, AreTheWordsOfABlock) {
@@ -73,6 +83,24 @@ void expect_lanes_to_be_alone(std::uint32_t n) {
       EXPECT_EQ(a[lane], b[0]) << lane << " " << d;
       EXPECT_EQ(a[lane], b[lanes<Packet> - 1]) << lane << " " << d;
     }
+  }
+}
+
+template <class Numbers>
+void expect_the_first_pair_to_be_that_of_all(std::uint32_t n) {
+  const Numbers numbers(StreamKey(4, "first pairs"), n);
+  const PathVertex<double> at{7, n / 2, 3};
+  const Five<double> all = numbers.template block<double>(at, 1);
+  const Five<double> first = numbers.template block<double>(at, 1, Made::first_pair);
+  EXPECT_EQ(first[0], all[0]);
+  EXPECT_EQ(first[1], all[1]);
+}
+
+TEST(VertexSource, HasFirstPairsThatDoNotDependOnWhatElseIsMade) {
+  expect_the_first_pair_to_be_that_of_all<IndependentNumbers>(1);
+  for (const std::uint32_t n : {1u, 2u, 64u, 1024u}) {
+    expect_the_first_pair_to_be_that_of_all<PaddedSobol>(n);
+    expect_the_first_pair_to_be_that_of_all<PaddedStrata>(n);
   }
 }
 
