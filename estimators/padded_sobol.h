@@ -63,14 +63,15 @@ class PaddedSobol {
   template <class Real, class W>
   static Real scrambled(const W& reversed, const W& shift, const W& factor, const Digits<W>& following) {
     const W digits = reverse_bits(scramble_upwards(reversed, W(shift >> 8), factor));
-    if constexpr (lanes<Real> > 1) return unit_number(digits, W(0u));
-    return unit_number((digits & W(0xFFFFFF00u)) | (following.high >> 24), following.low);
+    if constexpr (lanes<Real> == 1)
+      return unit_number((digits & W(0xFFFFFF00u)) | (following.high >> 24), following.low);
+    return unit_number(digits, W(0u));
   }
 
   template <class Real>
   Five<Digits<Word<Real>>> following_digits(const PathVertex<Real>& at, std::uint32_t b) const {
-    if constexpr (lanes<Real> > 1) return {};
-    return independent_digits(key_, at, b);
+    if constexpr (lanes<Real> == 1) return independent_digits(key_, at, b);
+    return {};
   }
 
   StreamKey key_;

@@ -48,16 +48,6 @@ class Replicate {
   std::uint32_t number_;
 };
 
-/// The number in [0,1) whose binary digits are the words': 53 of them, or 24 in packets.
-inline double unit_number(std::uint32_t high, std::uint32_t low) {
-  return static_cast<double>((std::uint64_t{high} << 21) | (low >> 11)) * 0x1p-53;
-}
-template <class A>
-xsimd::batch<float, A> unit_number(const xsimd::batch<std::uint32_t, A>& high,
-                                   const xsimd::batch<std::uint32_t, A>& /*low*/) {
-  return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(high >> 8)) * 0x1p-24f;
-}
-
 /// The points `first`, `first` + 1, ... of n, one a lane; after the last comes the first again.
 template <class Real>
 Word<Real> point_numbers(std::uint32_t first, std::uint32_t n) {

@@ -27,6 +27,28 @@ struct Philox {
   }
 };
 
+/// The number in [0,1) whose binary digits are the words': 53 of them, or 24 in packets.
+inline double unit_number(std::uint32_t high, std::uint32_t low) {
+  return static_cast<double>((std::uint64_t{high} << 21) | (low >> 11)) * 0x1p-53;
+}
+template <class A>
+xsimd::batch<float, A> unit_number(const xsimd::batch<std::uint32_t, A>& high,
+                                   const xsimd::batch<std::uint32_t, A>& /*low*/) {
+  return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(high >> 8)) * 0x1p-24f;
+}
+
+/// What a block of random words holds where a number has 24 digits.
+template <class Number>
+using Five = std::array<Number, 5>;
+
+/// Five numbers of 24 digits each, at the top of their words: four words' own, and the lower 8 of three.
+template <class W>
+Five<W> five_of(const std::array<W, 4>& words) {
+  const W low(0xFFu);
+  const W last = ((words[0] & low) << 24) | ((words[1] & low) << 16) | ((words[2] & low) << 8);
+  return {words[0], words[1], words[2], words[3], last};
+}
+
 /// What draws are for: a seed and a purpose (the name of a claim, or of a render), folded into one key, so that no
 /// two purposes share numbers. The fold is FNV-1a, then one Philox block under the seed.
 class StreamKey {
@@ -93,28 +115,21 @@ class PhiloxStream<xsimd::batch<float, A>> {
     counter_[2] += select(counter_[1] < lane_numbers<A>(), Word(1u), Word(0u));  // where the low word has wrapped
   }
 
-  /// The next dimension: the upper 24 bits of a word, or the lower 8 of three.
+  /// The next dimension.
   Real next() {
-    if (used_ == 5) {
-      block_ = Philox<Word>::draw(counter_, key_);
+    if (used_ == five_.size()) {
+      five_ = five_of(Philox<Word>::draw(counter_, key_));
       counter_[0] += Word(1u);
       used_ = 0;
     }
-    const std::size_t number = used_++;
-    if (number < 4) return unit_number(block_[number] >> 8);
-    const Word low(0xFFu);
-    return unit_number(((block_[0] & low) << 16) | ((block_[1] & low) << 8) | (block_[2] & low));
+    return unit_number(five_[used_++], Word(0u));
   }
 
  private:
-  static Real unit_number(const Word& digits) {
-    return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(digits)) * 0x1p-24f;
-  }
-
   typename Philox<Word>::Key key_;
   typename Philox<Word>::Counter counter_;
-  typename Philox<Word>::Counter block_{};
-  std::size_t used_ = 5;
+  Five<Word> five_{};
+  std::size_t used_ = five_.size();
 };
 
 }  // namespace fairlight

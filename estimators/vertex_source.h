@@ -14,11 +14,7 @@ struct PathVertex {
 };
 
 /// The numbers of a vertex are made five at a time: two pairs, each spread as a pair if at all, and one alone. It is what a
-/// shadow ray, a roulette and a bounce take, and in packets what a Philox block holds.
-template <class Number>
-using Five = std::array<Number, 5>;
-
-/// Which of them are looked at, so that the others need not be made.
+/// shadow ray, a roulette and a bounce take, and in packets what a Philox block holds. Some vertices take less: what is to be made.
 enum class Made { all, first_pair };
 
 /// 64 binary digits of a number in [0,1), of which packets use the first 24.
@@ -26,14 +22,6 @@ template <class W>
 struct Digits {
   W high, low;
 };
-
-/// Five numbers of 24 digits each, at the top of their words: four words' own, and the lower 8 of three.
-template <class W>
-Five<W> five_of(const std::array<W, 4>& words) {
-  const W low(0xFFu);
-  const W last = ((words[0] & low) << 24) | ((words[1] & low) << 16) | ((words[2] & low) << 8);
-  return {words[0], words[1], words[2], words[3], last};
-}
 
 /// Four random words for a sample, or a set, of a pixel at a vertex.
 template <class Real>

@@ -242,7 +242,8 @@ class ChosenNumbers {
  private:
   /// Called, not inlined, so that independent numbers are as fast as if there were no others.
   template <class Real>
-  [[gnu::noinline, gnu::flatten]] Five<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b, Made made) const {
+  [[gnu::noinline, gnu::flatten]] Five<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b,
+                                                          Made made) const {
     return random_ == Strategies::Random::sobol ? sobol_.block(at, b, made) : strata_.block(at, b, made);
   }
 

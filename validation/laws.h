@@ -117,12 +117,13 @@ Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetK
           .check =
               [e](const Trial& trial) {
                 const auto law = e.template law<Packet>();
+                const auto references = mean_coordinates(e.template law<double>(), e.domain);
                 return check_replicates<Set<Packet>>(
-                    trial, mean_coordinates(e.template law<double>(), e.domain),
+                    trial, references,
                     [&](auto& source) {
                       return coordinates_and_product(e.domain, law.sample(next_pair<Packet>(source)));
                     },
-                    points_a_replicate);
+                    points_for(references));
               },
           .real = real_name<Packet>()};
 }
