@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/vertex_source.h>
 
@@ -33,12 +35,13 @@ class PaddedSobol {
   const SetsOfPoints& sets() const { return sets_; }
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made made = Made::all) const {
-    return made == Made::all ? first<5>(at, b) : first<2>(at, b);
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
+    return part == BlockPart::all ? first<5>(at, b) : first<2>(at, b);
   }
 
  private:
-  // The first n of a block. The orders, which take the longest, come first, so that a machine works on the random words meanwhile.
+  // The first n of a block, of which the compiler leaves out what is not asked for. The orders, which take the longest, come first, so that
+  // a machine works on the random words meanwhile.
   template <std::size_t n, class Real>
   Five<Real> first(const PathVertex<Real>& at, std::uint32_t b) const {
     using W = Word<Real>;
@@ -53,13 +56,17 @@ class PaddedSobol {
     const Five<W> factors{words[0], swapped(words[0]), words[1], swapped(words[1]), words[2]};
     const Five<W> shifts = five_of(sets_.shared_words(key_, at, b));
     const auto following = following_digits(at, b);
-    const auto number = [&](std::size_t i) {
-      return i < n ? scrambled<Real>(reversed[i], shifts[i], factors[i], following[i]) : Real(0);
+    Five<Real> numbers{};
+    const auto make = [&](std::size_t i) {
+      numbers[i] = scrambled<Real>(reversed[i], shifts[i], factors[i], following[i]);
     };
-    return {number(0), number(1), number(2), number(3), number(4)};
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (make(i), ...); }
+    (std::make_index_sequence<n>());
+    return numbers;
   }
 
-  // Of 24 digits, in double of more. The shift is independent of the order and of the factor, and makes them uniform, exactly.
+  // A number of 24 scrambled digits, after which come in double those of `following`. The shift is independent of the order and of the
+  // factor, and makes the 24 uniform, exactly.
   template <class Real, class W>
   static Real scrambled(const W& reversed, const W& shift, const W& factor, const Digits<W>& following) {
     const W digits = reverse_bits(scramble_upwards(reversed, W(shift >> 8), factor));

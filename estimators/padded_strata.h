@@ -18,19 +18,19 @@ class PaddedStrata {
   const SetsOfPoints& sets() const { return sets_; }
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made made = Made::all) const {
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
     using W = Word<Real>;
     const auto words = sets_.shared_words(key_, at, b);
     const W point = sets_.point_of(at.sample);
     Five<Digits<W>> digits = independent_digits(key_, at, b);
     const std::uint32_t rows = sets_.bits() / 2;  // the logarithms of their numbers
     const std::uint32_t columns = sets_.bits() - rows;
-    for (std::size_t i = 0; i < (made == Made::all ? 2 : 1); ++i) {
+    for (std::size_t i = 0; i < (part == BlockPart::all ? 2 : 1); ++i) {
       const W cell = place(point, words, i);
       digits[2 * i] = in_stratum_of(cell & W((1u << columns) - 1), columns, digits[2 * i]);
       digits[2 * i + 1] = in_stratum_of(cell >> static_cast<int>(columns), rows, digits[2 * i + 1]);
     }
-    if (made == Made::all) digits[4] = in_stratum_of(place(point, words, 2), sets_.bits(), digits[4]);
+    if (part == BlockPart::all) digits[4] = in_stratum_of(place(point, words, 2), sets_.bits(), digits[4]);
     return unit_numbers<Real>(digits);
   }
 

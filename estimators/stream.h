@@ -37,7 +37,7 @@ xsimd::batch<float, A> unit_number(const xsimd::batch<std::uint32_t, A>& high,
   return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(high >> 8)) * 0x1p-24f;
 }
 
-/// What a block of random words holds where a number has 24 digits.
+/// Five of something, as many as a block of random words has numbers of 24 digits.
 template <class Number>
 using Five = std::array<Number, 5>;
 

@@ -14,8 +14,9 @@ struct PathVertex {
 };
 
 /// The numbers of a vertex are made five at a time: two pairs, each spread as a pair if at all, and one alone. It is what a
-/// shadow ray, a roulette and a bounce take, and in packets what a Philox block holds. Some vertices take less: what is to be made.
-enum class Made { all, first_pair };
+/// shadow ray, a roulette and a bounce take, and in packets what a Philox block holds. How much of a block is made: all five, or the first
+/// pair alone for a vertex that takes no more; the others are then not for use.
+enum class BlockPart { all, first_pair };
 
 /// 64 binary digits of a number in [0,1), of which packets use the first 24.
 template <class W>
@@ -66,7 +67,7 @@ class IndependentNumbers {
   explicit IndependentNumbers(const StreamKey& key, std::uint32_t /*points of a set*/ = 1) : key_(key) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made /*made*/ = Made::all) const {
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart /*part*/ = BlockPart::all) const {
     return unit_numbers<Real>(independent_digits(key_, at, b));
   }
 
@@ -148,20 +149,21 @@ W shuffled(const W& i, std::uint32_t bits, const W& word) {
   return x;
 }
 
-/// A UniformSource: the numbers of one vertex of a path, a path a lane. `numbers.block(at, b, made)` makes five at a time, or the first
-/// pair for a vertex that mostly takes no more. A number is a function of (key, pixel, sample, vertex, dimension), whatever lane it is in.
+/// A UniformSource: the numbers of one vertex of a path, a path a lane. `numbers.block(at, b, part)` makes five at a time, or the first
+/// pair alone: what takes more all the same is given the first pairs of further blocks. A number is a function of (key, pixel, sample, vertex,
+/// dimension) and, after the first pair, of the part, whatever lane it is in.
 /// Source   Salmon et al. 2011; Pharr, Jakob, Humphreys, PBR 4ed, 8.3 (pairs and single numbers are asked for as such)
 template <class Real, class Numbers>
 class VertexSource {
  public:
-  VertexSource(const Numbers& numbers, const PathVertex<Real>& at, Made made = Made::all)
-      : numbers_(numbers), at_(at), made_(made) {}
+  VertexSource(const Numbers& numbers, const PathVertex<Real>& at, BlockPart part = BlockPart::all)
+      : numbers_(numbers), at_(at), part_(part) {}
 
   /// The next two dimensions.
   std::array<Real, 2> pair() {
     if (pairs_left_ == 0) {
-      block_ = numbers_.template block<Real>(at_, blocks_++, made_);
-      if (made_ == Made::first_pair) return {block_[0], block_[1]};
+      block_ = numbers_.template block<Real>(at_, blocks_++, part_);
+      if (part_ == BlockPart::first_pair) return {block_[0], block_[1]};
       pairs_left_ = 2;
       singles_[0] = block_[4];
       singles_left_ = 1;
@@ -181,7 +183,7 @@ class VertexSource {
  private:
   const Numbers& numbers_;
   PathVertex<Real> at_;
-  Made made_;
+  BlockPart part_;
   Five<Real> block_{};
   std::array<Real, 2> singles_{};
   std::uint32_t blocks_ = 0;

@@ -233,18 +233,18 @@ class ChosenNumbers {
         strata_(key, strategies.points) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made made) const {
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part) const {
     if (random_ == Strategies::Random::independent) [[likely]]
-      return independent_.block(at, b);
-    return block_of_set(at, b, made);
+      return independent_.block(at, b, part);
+    return block_of_set(at, b, part);
   }
 
  private:
   /// Called, not inlined, so that independent numbers are as fast as if there were no others.
   template <class Real>
   [[gnu::noinline, gnu::flatten]] Five<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b,
-                                                          Made made) const {
-    return random_ == Strategies::Random::sobol ? sobol_.block(at, b, made) : strata_.block(at, b, made);
+                                                          BlockPart part) const {
+    return random_ == Strategies::Random::sobol ? sobol_.block(at, b, part) : strata_.block(at, b, part);
   }
 
   Strategies::Random random_;

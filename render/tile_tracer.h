@@ -14,19 +14,18 @@
 
 namespace fairlight {
 
-/// The sum of some samples, by eight sums that a machine adds at once; minus infinity, if one of them is no radiance.
+/// The sum of samples, by eight sums that a machine adds at once, in an order that no instruction set changes; minus infinity where a
+/// sample is negative or not a number.
 template <class Number>
-double sum_of(std::span<const Number> samples) {
+double sum_of_set(std::span<const Number> samples) {
   bool wrong = false;
   for (const Number sample : samples) wrong |= !(sample >= 0);
   if (wrong) return -infinity<double>;
   std::array<double, 8> sums{};
-  const std::size_t last = samples.size() % sums.size();
-  const Number* next = samples.data();
-  for (const Number* const end = next + (samples.size() - last); next != end; next += sums.size()) {
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += static_cast<double>(next[i]);
+  for (; samples.size() >= sums.size(); samples = samples.subspan(sums.size())) {
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += static_cast<double>(samples[i]);
   }
-  for (std::size_t i = 0; i < last; ++i) sums[i] += static_cast<double>(next[i]);
+  for (std::size_t i = 0; i < samples.size(); ++i) sums[i] += static_cast<double>(samples[i]);
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
@@ -35,7 +34,7 @@ template <class Number>
 std::vector<double> set_means(std::span<const Number> samples, std::uint32_t n) {
   std::vector<double> means;
   for (std::size_t first = 0; first < samples.size(); first += n)
-    means.push_back(sum_of(samples.subspan(first, n)) / n);
+    means.push_back(sum_of_set(samples.subspan(first, n)) / n);
   return means;
 }
 
@@ -120,7 +119,7 @@ class TileTracer : public TileRenderer {
     FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
       const auto ray_of = [this](const Vec2<Real>& middle, const Job<Real>& job) {
         VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job.pixel, job.sample, Word<Real>(0u)},
-                                                 by_.camera_.has_lens() ? Made::all : Made::first_pair);
+                                                 by_.camera_.has_lens() ? BlockPart::all : BlockPart::first_pair);
         return pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
       };
       while (idle != 0) {

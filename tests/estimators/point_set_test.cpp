@@ -105,15 +105,5 @@ TYPED_TEST(EveryPointSet, RefusesNoPointsAndTooMany) {
   for (double u : numbers(largest, (1u << 28) - 1)) EXPECT_TRUE(u >= 0 && u < 1) << u;
 }
 
-TEST(UnitNumber, IsBelowOneForAllBitsSet) {
-  constexpr std::uint32_t ones = 0xFFFFFFFFu;
-  EXPECT_EQ(unit_number(0u, 0u), 0);
-  EXPECT_EQ(unit_number(0u, 1u << 11), 0x1p-53);
-  EXPECT_EQ(unit_number(ones, ones), 1 - 0x1p-53);
-  std::array<double, lanes<Packet>> u{};
-  store_lanes(unit_number(Word<Packet>(ones), Word<Packet>(ones)), u.data());
-  EXPECT_EQ(u[0], 1 - 0x1p-24);
-}
-
 }  // namespace
 }  // namespace fairlight

@@ -1,3 +1,5 @@
+#include <array>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -58,6 +60,16 @@ RC_GTEST_PROP(PhiloxStream, DiffersWhenAnyPartOfItsAddressDoes,
   RC_ASSERT(here != first(seed, "a", unit + 1, sample));
   RC_ASSERT(here != first(seed, "a", unit, sample + 1));
   RC_ASSERT(here != first(seed, "a", unit, sample + (std::uint64_t{1} << 32)));
+}
+
+TEST(UnitNumber, IsBelowOneForAllBitsSet) {
+  constexpr std::uint32_t ones = 0xFFFFFFFFu;
+  EXPECT_EQ(unit_number(0u, 0u), 0);
+  EXPECT_EQ(unit_number(0u, 1u << 11), 0x1p-53);
+  EXPECT_EQ(unit_number(ones, ones), 1 - 0x1p-53);
+  std::array<double, lanes<Packet>> u{};
+  store_lanes(unit_number(Word<Packet>(ones), Word<Packet>(ones)), u.data());
+  EXPECT_EQ(u[0], 1 - 0x1p-24);
 }
 
 }  // namespace

@@ -26,11 +26,14 @@ TEST(SetMeans, TakeEverySampleOfLongSets) {
 TEST(SetMeans, HideNoSampleThatIsNoRadiance) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const double wrong : {none, -1.0, infinity<double>, -infinity<double>}) {
-    const std::vector<double> samples{7, wrong, 7, 7};
-    const std::vector<double> means = set_means(std::span<const double>(samples), 4);
-    Film film(1, 1);
-    EXPECT_THROW(film.add(0, 0, std::array<std::span<const double>, 3>{means, means, means}), std::domain_error)
-        << wrong;
+    for (std::size_t i = 0; i < 12; ++i) {
+      std::vector<double> samples(12, 7);
+      samples[i] = wrong;
+      const std::vector<double> means = set_means(std::span<const double>(samples), 12);
+      Film film(1, 1);
+      EXPECT_THROW(film.add(0, 0, std::array<std::span<const double>, 3>{means, means, means}), std::domain_error)
+          << wrong << " " << i;
+    }
   }
 }
 

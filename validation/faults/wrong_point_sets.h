@@ -74,8 +74,8 @@ struct OneVertexSobol : PaddedSobol {
   using PaddedSobol::PaddedSobol;
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made made = Made::all) const {
-    return PaddedSobol::block(PathVertex<Real>{at.pixel, at.sample, Word<Real>(0u)}, b, made);
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
+    return PaddedSobol::block(PathVertex<Real>{at.pixel, at.sample, Word<Real>(0u)}, b, part);
   }
 };
 
@@ -84,7 +84,7 @@ struct OneOrderSobol : PaddedSobol {
   OneOrderSobol(const StreamKey& of, std::uint32_t n) : PaddedSobol(of, n), key(of) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, Made /*made*/ = Made::all) const {
+  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart /*part*/ = BlockPart::all) const {
     const auto point = sets().point_of(at.sample);
     const auto shifts = five_of(sets().shared_words(key, at, b));
     const auto factors = sets().order_words(key, at, b);
