@@ -61,6 +61,13 @@ class StreamKey {
   }
   const Philox<std::uint32_t>::Key& words() const { return key_; }
 
+  /// Key n of those that a purpose may use one after the other, where the numbers of one run out; key 0 is this one.
+  StreamKey further(std::uint32_t n) const {
+    StreamKey key = *this;
+    key.key_[0] += n;
+    return key;
+  }
+
  private:
   static std::uint32_t low(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
   static std::uint32_t high(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }

@@ -52,12 +52,15 @@ class Run {
   }
 
  private:
-  Finding not_begun(const Claim* claim) const {
-    const Trial trial = manifest_.trial(claim->name);
+  static Finding nothing_known(const Trial& trial, const std::string& why) {
     Finding finding{Verdict::undecided, Guarantee::deterministic, trial.margin};
     finding.interval = {-unlimited, unlimited};
-    finding.note = "the time was up before its turn";
+    finding.note = why;
     return with_token(trial, finding);
+  }
+
+  Finding not_begun(const Claim* claim) const {
+    return nothing_known(manifest_.trial(claim->name), "the time was up before its turn");
   }
 
   bool time_is_up() const { return clock_.seconds() > conformance_.seconds; }
@@ -84,9 +87,11 @@ class Run {
     outcomes_[i] = std::move(outcome);
   }
 
-  // What a test refuses, it says of its numbers, not of the claim that gave them.
+  // What a test refuses, it says of its numbers, not of the claim that gave them. Where these run out the others go on.
   static Finding check(const Claim& claim, const Trial& trial) try {
     return claim.check(trial);
+  } catch (const std::length_error& spent) {
+    return nothing_known(trial, spent.what());
   } catch (const std::invalid_argument& refused) {
     throw std::invalid_argument("\"" + claim.name + "\" cannot be tested on these terms (" + refused.what() + ")");
   }

@@ -37,6 +37,15 @@ TEST(PhiloxStream, IsTheKnownBlockCutIntoDoubles) {
   EXPECT_EQ(source.next(), number(second[2], second[3]));
 }
 
+TEST(StreamKey, HasFurtherOnesThatShareNothing) {
+  const StreamKey key(1, "test");
+  EXPECT_EQ(key.further(0).words(), key.words());
+  EXPECT_EQ(key.further(2).further(3).words(), key.further(5).words());
+  const auto first = [](const StreamKey& k) { return PhiloxStream<double>(k, 0, 0).next(); };
+  EXPECT_NE(first(key.further(1)), first(key));
+  EXPECT_NE(first(key.further(1)), first(key.further(2)));
+}
+
 RC_GTEST_PROP(PhiloxStream, IsAFunctionOfItsAddressInTheUnitInterval,
               (std::uint64_t seed, std::uint32_t unit, std::uint64_t sample)) {
   const StreamKey key(seed, "test");

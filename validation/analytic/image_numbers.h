@@ -8,11 +8,20 @@ namespace fairlight {
 /// Where whole images take their numbers from: `draws(key, pixels, r)` is what image r draws with, from streams or sets
 /// of its own. It also says how the rows of such images differ from those of the others.
 
-/// The first of the units or replicates of image r, so many each. Throws std::length_error where 32 bits do not hold it.
-inline std::uint32_t first_number(std::uint64_t r, std::uint64_t each) {
-  if ((r + 1) * each >> 32 != 0) throw std::length_error("images have run out (2^32 numbers are of one key)");
-  return static_cast<std::uint32_t>(r * each);
-}
+/// Where the numbers of image r are, each with so many units or replicates: 32 bits hold those of some images, and as many more
+/// have the next key.
+struct ImagePlace {
+  ImagePlace(const StreamKey& purpose, std::uint64_t r, std::uint64_t each)
+      : ImagePlace(purpose, r, each, (std::uint64_t{1} << 32) / each) {}
+
+  StreamKey key;
+  std::uint32_t first;
+
+ private:
+  ImagePlace(const StreamKey& purpose, std::uint64_t r, std::uint64_t each, std::uint64_t images_of_key)
+      : key(purpose.further(static_cast<std::uint32_t>(r / images_of_key))),
+        first(static_cast<std::uint32_t>(r % images_of_key * each)) {}
+};
 
 template <class Scalar = double>
 struct FromStreams {
@@ -23,7 +32,8 @@ struct FromStreams {
 
   template <class Pixels>
   static auto draws(const StreamKey& key, const Pixels& pixels, std::uint64_t r) {
-    return PixelDraws<Real, Pixels>(key, first_number(r, pixels.grid.size()), pixels);
+    const ImagePlace place(key, r, pixels.grid.size());
+    return PixelDraws<Real, Pixels>(place.key, place.first, pixels);
   }
 };
 
@@ -41,7 +51,8 @@ struct FromSets {
   template <class Pixels>
   static auto draws(const StreamKey& key, const Pixels& pixels, std::uint64_t r) {
     constexpr std::uint32_t samples = 128;  // of a pixel, at most
-    return PixelPointSets<Set<double>, Pixels>(key, first_number(r, samples * pixels.grid.size()), samples, pixels);
+    const ImagePlace place(key, r, samples * pixels.grid.size());
+    return PixelPointSets<Set<double>, Pixels>(place.key, place.first, samples, pixels);
   }
 };
 

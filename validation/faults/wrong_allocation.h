@@ -21,9 +21,9 @@ struct FromOneSet {
 
   template <class Pixels>
   static auto draws(const StreamKey& key, const Pixels& pixels, std::uint64_t r) {
-    const std::uint32_t unit = first_number(r, pixels.grid.size());
+    const ImagePlace place(key, r, pixels.grid.size());
     return [=](std::size_t pixel, std::uint64_t first, std::uint64_t n) {
-      const OwenSobol<double> set(key, unit + static_cast<std::uint32_t>(pixel), 128);
+      const OwenSobol<double> set(place.key, place.first + static_cast<std::uint32_t>(pixel), 128);
       std::vector<double> samples;
       for (std::uint64_t i = first; i < first + n; ++i) {
         auto source = set.source(static_cast<std::uint32_t>(i));
