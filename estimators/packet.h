@@ -117,25 +117,6 @@ xsimd::batch<Number> expand(std::uint32_t bits, const Number* next, const xsimd:
 }
 #endif
 
-#if defined(__AVX512F__)
-inline void scatter(std::uint32_t bits, const xsimd::batch<float>& x, float* table,
-                    const xsimd::batch<std::uint32_t>& place) {
-  _mm512_mask_i32scatter_ps(table, static_cast<__mmask16>(bits), place, x, sizeof(float));
-}
-#else
-inline void scatter(std::uint32_t bits, const xsimd::batch<float>& x, float* table,
-                    const xsimd::batch<std::uint32_t>& place) {
-  std::array<float, xsimd::batch<float>::size> values;
-  std::array<std::uint32_t, values.size()> places;
-  x.store_unaligned(values.data());
-  place.store_unaligned(places.data());
-  for (; bits != 0; bits &= bits - 1) {
-    const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-    table[places[lane]] = values[lane];
-  }
-}
-#endif
-
 template <class A>
 void store_lanes(const xsimd::batch<float, A>& x, double* out) {
   std::array<float, lanes<xsimd::batch<float, A>>> values{};

@@ -98,12 +98,6 @@ Number expand(std::uint32_t bits, const Number* next, const Number& kept) {
   return bits != 0 ? *next : kept;
 }
 
-/// The lanes whose bits are set, each to its own place of a table, below 2^31.
-template <class Number>
-void scatter(std::uint32_t bits, const Number& x, Number* table, std::uint32_t place) {
-  if (bits != 0) table[place] = x;
-}
-
 /// Where two indices are the same, below 2^24.
 template <class Real>
 Mask<Real> same_index(int a, int b) {

@@ -14,20 +14,13 @@ Film::Film(int width, int height) : width_(width), height_(height) {
   pixels_.resize(index(0, height));
 }
 
-template <class Samples>
-void Film::add_all(int x, int y, const Samples& samples) {
-  try {
-    for (std::size_t c = 0; c < 3; ++c) at(x, y)[c].add(samples[c]);
-  } catch (const std::exception& error) {
-    throw std::domain_error("pixel (" + std::to_string(x) + ", " + std::to_string(y) + "): " + error.what());
-  }
+void Film::refuse(int x, int y, const std::exception& error) {
+  throw std::domain_error("pixel (" + std::to_string(x) + ", " + std::to_string(y) + "): " + error.what());
 }
 
 void Film::add(int x, int y, const Rgb<double>& sample) {
   add_all(x, y, std::array{sample[0], sample[1], sample[2]});
 }
-void Film::add(int x, int y, const std::array<std::span<const float>, 3>& samples) { add_all(x, y, samples); }
-void Film::add(int x, int y, const std::array<std::span<const double>, 3>& samples) { add_all(x, y, samples); }
 
 void Film::merge(const Film& other) {
   if (width_ != other.width_ || height_ != other.height_) {

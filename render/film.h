@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <exception>
 #include <span>
 #include <vector>
 
@@ -29,8 +30,8 @@ class Film {
   void add(int x, int y, const Rgb<double>& sample);
 
   /// Adds samples to a pixel, one list a channel. Throws as above; channels may then have been added, but no part of one.
-  void add(int x, int y, const std::array<std::span<const float>, 3>& samples);
-  void add(int x, int y, const std::array<std::span<const double>, 3>& samples);
+  void add(int x, int y, const std::array<std::span<const float>, 3>& samples) { add_all(x, y, samples); }
+  void add(int x, int y, const std::array<std::span<const double>, 3>& samples) { add_all(x, y, samples); }
 
   /// Throws std::invalid_argument when the sizes differ.
   void merge(const Film& other);
@@ -41,8 +42,16 @@ class Film {
   bool operator==(const Film&) const = default;
 
  private:
+  // Here, so that floats are summed by the instructions of whoever has them.
   template <class Samples>
-  void add_all(int x, int y, const Samples& samples);
+  void add_all(int x, int y, const Samples& samples) {
+    try {
+      for (std::size_t c = 0; c < 3; ++c) at(x, y)[c].add(samples[c]);
+    } catch (const std::exception& error) {
+      refuse(x, y, error);
+    }
+  }
+  [[noreturn]] static void refuse(int x, int y, const std::exception& error);
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);

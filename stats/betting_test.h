@@ -42,6 +42,11 @@ class BadDraw : public std::runtime_error {
   std::uint64_t draw_;
 };
 
+/// That there are no more draws, as the random numbers of a key have run out: what a test has seen until then holds, and is undecided.
+struct NoMoreDraws : std::length_error {
+  using std::length_error::length_error;
+};
+
 /// The logarithms of what four processes have made of 1.
 struct Wealth {
   double too_bright;    ///< U0, which bets that the mean is above the reference

@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -18,7 +15,7 @@ namespace {
 using boost::multiprecision::cpp_int;
 __extension__ using Uint128 = unsigned __int128;
 
-constexpr int unit_exponent = -96;
+constexpr int unit_exponent = ExactSums::finest;
 constexpr std::size_t sum_begin = 1;
 constexpr std::size_t squares_begin = 4;
 
@@ -66,56 +63,6 @@ Quantised quantise(double x) {
   throw std::overflow_error("the sum of the draws exceeds 2^96 (merge fewer, or scale the scene down)");
 }
 
-__extension__ using Int128 = __int128;
-
-// Sums of floats and of their squares that doubles hold to the last digit: of few draws, whose exponents are not far from the lowest,
-// in units of that one's last digit. A square is split where both parts have room to add up.
-class ExactSums {
- public:
-  static constexpr std::size_t most = 64;
-  static constexpr std::uint32_t range = 23;
-  static constexpr std::uint32_t whole = 150 + unit_exponent;  // from this exponent on all are multiples of 2^-96
-
-  // A float is significand * 2^(exponent - 150), its significand below 2^24. Draws are zeros, or of exponents from `lowest` to
-  // lowest + range, so that their sum is below 2^53 units; 2^48 is the unit of the squares' upper parts, whose sum is then too.
-  ExactSums(std::span<const float> draws, std::uint32_t lowest)
-      : unit_(static_cast<int>(lowest) - 150), shift_(std::ldexp(1.5, 2 * unit_ + split + 52)) {
-    std::size_t i = 0;
-    for (; i + width <= draws.size(); i += width) {
-      for (std::size_t k = 0; k < width; ++k) add(draws[i + k], k);
-    }
-    for (; i < draws.size(); ++i) add(draws[i], 0);
-  }
-
-  Uint128 sum() const { return static_cast<Uint128>(units(sum_, unit_)); }
-  Uint128 squares() const {
-    return static_cast<Uint128>((Int128{units(upper_, 2 * unit_ + split)} << split) + units(lower_, 2 * unit_));
-  }
-
- private:
-  static constexpr int split = 48;
-  static constexpr std::size_t width = 4;  // side by side, in registers
-  using Parts = std::array<double, width>;
-
-  // To add 1.5 * 2^52 times the upper unit leaves no digit below that unit.
-  void add(float draw, std::size_t k) {
-    const auto x = static_cast<double>(draw);
-    const double square = x * x;
-    const double upper = (square + shift_) - shift_;
-    sum_[k] += x;
-    upper_[k] += upper;
-    lower_[k] += square - upper;
-  }
-
-  static std::int64_t units(const Parts& parts, int unit) {
-    return static_cast<std::int64_t>(std::ldexp((parts[0] + parts[1]) + (parts[2] + parts[3]), -unit));
-  }
-
-  int unit_;
-  double shift_;
-  Parts sum_{}, upper_{}, lower_{};
-};
-
 cpp_int integer(std::span<const std::uint64_t> words) {
   cpp_int value;
   import_bits(value, words.begin(), words.end(), 64, false);
@@ -142,30 +89,26 @@ void ExactMoments::add(std::span<const double> draws) {
   for (double x : draws) add(x);
 }
 
-void ExactMoments::add(std::span<const float> draws) {
-  const std::size_t count = draws.size();
-  std::uint32_t largest = 0;
-  std::uint32_t least_but_zero = 0xFFFFFFFF;  // less one
+void ExactMoments::add_in_parts(std::span<const float> draws) {
   for (float x : draws) {
-    const auto bits = std::bit_cast<std::uint32_t>(x);
-    largest = std::max(largest, bits);
-    least_but_zero = std::min(least_but_zero, bits - 1);
+    if (!(x >= 0 && x < 0x1p64F)) refuse(static_cast<double>(x));
   }
-  const std::uint32_t lowest = (least_but_zero + 1) >> 23;
-  const bool refused = largest >= std::bit_cast<std::uint32_t>(0x1p64f);
-  if (refused || lowest < ExactSums::whole || (largest >> 23) > lowest + ExactSums::range) {
-    const std::vector<double> one_by_one(draws.begin(), draws.end());  // refused, all zero, rounded, or far apart
-    return add(std::span<const double>(one_by_one));
-  }
-  const std::span<std::uint64_t> all(words_);
-  const auto exponent = static_cast<int>(lowest - ExactSums::whole);
-  bool over = false;
   for (; !draws.empty(); draws = draws.subspan(std::min(ExactSums::most, draws.size()))) {
-    const ExactSums sums(draws.first(std::min(ExactSums::most, draws.size())), lowest);
-    over = add_shifted(all.subspan(sum_begin, 3), sums.sum(), exponent) || over;
-    over = add_shifted(all.subspan(squares_begin, 6), sums.squares(), 2 * exponent) || over;
+    const std::span<const float> part = draws.first(std::min(ExactSums::most, draws.size()));
+    if (const auto sums = ExactSums::of(part)) {
+      add(*sums);
+    } else {
+      for (float x : part) add(static_cast<double>(x));
+    }
   }
-  words_[0] += count;
+}
+
+void ExactMoments::add(const ExactSums& draws) {
+  const std::span<std::uint64_t> all(words_);
+  const int shift = draws.unit() - unit_exponent;
+  words_[0] += draws.count();
+  const bool over = add_shifted(all.subspan(sum_begin, 3), static_cast<Uint128>(draws.sum()), shift) ||
+                    add_shifted(all.subspan(squares_begin, 6), static_cast<Uint128>(draws.squares()), 2 * shift);
   if (over) refuse_sum();
 }
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include <fairlight/stats/exact_sums.h>
+
 namespace fairlight {
 
 /// Count, sum and sum of squares of nonnegative draws, without any rounding after a draw has entered: however the
@@ -28,8 +30,14 @@ class ExactMoments {
   void add(double x);
 
   /// As if each of the draws were added alone, floats in a few cycles each. Throws as they would; none is added where one is refused.
-  void add(std::span<const float> draws);
+  void add(std::span<const float> draws) {
+    if (const auto sums = ExactSums::of(draws)) return add(*sums);
+    add_in_parts(draws);
+  }
   void add(std::span<const double> draws);
+
+  /// As if each of the draws were added alone that are summed up. Throws as add does for the sum.
+  void add(const ExactSums& draws);
 
   /// Throws std::overflow_error when the sum reaches 2^96.
   void merge(ExactMoments other);
@@ -46,6 +54,8 @@ class ExactMoments {
   bool operator==(const ExactMoments&) const = default;
 
  private:
+  void add_in_parts(std::span<const float> draws);
+
   Words words_{};
 };
 

@@ -43,8 +43,9 @@ void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
   for (std::size_t c = 0; c < tests.size(); ++c) evidence.means[first + c].add(tests[c]);
 }
 
-// Runs the tests to their verdicts, or until the last of them has lost patience; returns a note if neither came.
-std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawBlock& draw_block) {
+// Runs the tests to their verdicts, or until the last of them has lost patience or there are no more draws; returns a note if no verdict
+// came.
+std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawBlock& draw_block) try {
   std::vector<std::vector<double>> channels(tests.size());
   if (trial.evidence != nullptr) {
     for (const BettingTest& test : tests) trial.evidence->means.emplace_back(test);
@@ -66,6 +67,8 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
     if (trial.evidence != nullptr) leave_evidence(*trial.evidence, tests);
     drawn += block;
   }
+} catch (const NoMoreDraws& spent) {
+  return spent.what();
 }
 
 void tell_listener(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block,

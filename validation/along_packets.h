@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
+#include <fairlight/estimators/sobol.h>
 #include <fairlight/stats/evidence.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/checks.h>
@@ -27,19 +29,19 @@ inline void require_in_range(std::uint64_t draw, double value, const Reference& 
 /// double that is out of its range.
 template <class Draw>
 DrawBlock less_packets(const StreamKey& key, const std::vector<Reference>& references, const Draw& draw) {
-  return draws_at_once<Packet>(references.size(), [key, references, draw](std::uint64_t first, auto& values) {
+  return draws_at_once<Packet>(references.size(), [key, references, draw](std::uint64_t first, const auto& places) {
     Recording recording(key, first);
     StreamNumbers<Packet> numbers(recording);
     const auto floats = draw(std::type_identity<Packet>{}, numbers);
-    for (std::size_t c = 0; c < values.size(); ++c) store_lanes(detail::channel_of(floats, c), values[c].data());
+    for (std::size_t c = 0; c < places.size(); ++c) store_lanes(detail::channel_of(floats, c), places[c]);
     for (std::size_t i = 0; i < lanes<Packet>; ++i) {
       StreamNumbers<double> finer_numbers(key, recording, i);
       const auto doubles = draw(std::type_identity<double>{}, finer_numbers);
-      for (std::size_t c = 0; c < values.size(); ++c) {
+      for (std::size_t c = 0; c < places.size(); ++c) {
         const double in_double = detail::channel_of(doubles, c);
         detail::require_in_range(first + i, in_double, references[c]);
         const double most = references[c].tail_slack > 0 ? references[c].upper : infinity<double>;
-        values[c][i] = std::min(in_double, most) - std::min(values[c][i], most);
+        places[c][i] = std::min(in_double, most) - std::min(places[c][i], most);
       }
     }
   });
@@ -124,48 +126,52 @@ inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding&
 
 /// The mean of `draw(type_identity<Real>, source)` in double, most of it seen in packets: E[double] = E[packet] + E[double - packet].
 /// Packets draw some ten times as fast, and along the same numbers the difference is next to nothing, so that few draws show its
-/// mean. Both parts must be certified, each to a share of the margin, and each has half of alpha.
-/// Source   Hammersley and Handscomb 1964, 5.5 (the control variate)
+/// mean. That of packets does not depend on how their numbers are spread, so it may be seen over replicates of Sobol's points, which
+/// vary less. Both parts must be certified, each to a share of the margin, and each has half of alpha.
+/// Source   Hammersley and Handscomb 1964, 5.5 (the control variate); Owen 1995 (the points)
 template <class Draw>
 class AlongPackets {
  public:
+  /// What the packets draw with.
+  enum class Numbers { independent, points };
+
   AlongPackets(const Trial& trial, const std::vector<Reference>& references, const Draw& draw)
       : trial_(trial),
         draw_(draw),
         references_(references),
-        packets_(detail::with_share(rounded_references<Packet>(references), detail::share_of_packets)),
+        points_(points_for(references)),
+        packets_(detail::with_share(replicate_references(rounded_references<Packet>(references), points_),
+                                    detail::share_of_packets)),
         differences_(detail::of_difference(references)) {}
 
-  /// Whether it takes less time than double alone, as a pilot foresees: not where the range is so wide that it alone says how many
-  /// draws there must be. A packet is taken to cost what a draw in double does. A pilot that is out of its range is left to double.
-  bool pays() const try {
-    for (std::size_t c = 0; c < references_.size(); ++c) {
-      const Reference& r = references_[c];
-      const double rounding = std::max(packets_[c].rounding, differences_[c].rounding);
-      if (r.sides != Sides::both || r.tail_slack > detail::most_in_tail * trial_.margin * r.scale ||
-          rounding > trial_.margin / 4)
-        return false;
-    }
-    const auto pilot = [this](std::size_t draws, const DrawBlock& draw_block) {
-      std::vector channels(references_.size(), std::vector<double>(draws));
-      draw_block(0, channels);
-      return channels;
-    };
-    const auto draws = pilot(4096, packet_draws(" pilot"));
+  /// By which numbers it takes less time than double alone, as pilots foresee, if by any: not where the range is so wide that it alone
+  /// says how many draws there must be. A packet is taken to cost what a draw in double does, and twice as much where it has
+  /// points. A pilot that is out of its range is left to double.
+  std::optional<Numbers> pays() const try {
+    if (!fits()) return std::nullopt;
+    const auto draws = pilot(1024, packet_draws(Numbers::independent, " pilot"));
     const double alone = expected_draws(trial_, rounded_references<Packet>(references_), draws);
-    const double in_packets = expected_draws(trial_, packets_, draws) / lanes<Packet>;
-    if (in_packets > alone) return false;
+    const double independent = expected_draws(trial_, packets_, draws) / lanes<Packet>;
+    const double points = expected_draws(trial_, packets_, pilot(64, packet_draws(Numbers::points, " pilot"))) * 2 *
+                          points_ / lanes<Packet>;
+    const double in_packets = std::min(independent, points);
+    if (in_packets > alone) return std::nullopt;
     const auto differences = pilot(512, difference_draws(" pilot"));
-    return in_packets + (1 + 1.0 / lanes<Packet>)*expected_draws(trial_, differences_, differences) < alone;
+    const double of_differences = (1 + 1.0 / lanes<Packet>)*expected_draws(trial_, differences_, differences);
+    if (in_packets + of_differences > alone) return std::nullopt;
+    return points < independent ? Numbers::points : Numbers::independent;
   } catch (const BadDraw&) {
-    return false;
+    return std::nullopt;
   }
 
   /// Where the packets fail, the figures are theirs, as the difference is then not drawn, and the note says so. Throws what test_means
   /// does.
-  Finding finding() const {
+  Finding finding(Numbers numbers) const {
     Evidence of_packets, of_difference;
-    const std::vector<Finding> packets = test_each_mean(part(0, of_packets), packets_, packet_draws(""));
+    std::vector<Finding> packets = test_each_mean(part(0, of_packets), packets_, packet_draws(numbers, ""));
+    if (numbers == Numbers::points) {
+      for (Finding& each : packets) each.draws *= points_;
+    }
     const bool go_on = worst_of(packets).verdict == Verdict::certified;
     std::vector<Finding> differences(packets.size(), Finding{.verdict = Verdict::certified});
     if (go_on) differences = test_each_mean(part(1, of_difference), differences_, difference_draws(""));
@@ -175,11 +181,26 @@ class AlongPackets {
       sums.push_back(detail::sum_of(trial_, packets[c], differences[c]));
     }
     Finding whole = worst_of(sums);
-    if (!go_on) whole.note = detail::note_on("seen in packets of floats, which it is drawn along", whole.note);
+    const char* seen = numbers == Numbers::points
+                           ? "seen in packets of floats over Sobol' points, which it is drawn along"
+                           : "seen in packets of floats, which it is drawn along";
+    if (!go_on) whole.note = detail::note_on(seen, whole.note);
     return whole;
   }
 
  private:
+  // Whether both parts can be tested to their shares of the margin.
+  bool fits() const {
+    for (std::size_t c = 0; c < references_.size(); ++c) {
+      const Reference& r = references_[c];
+      const double rounding = std::max(packets_[c].rounding, differences_[c].rounding);
+      if (r.sides != Sides::both || r.tail_slack > detail::most_in_tail * trial_.margin * r.scale ||
+          rounding > trial_.margin / 4)
+        return false;
+    }
+    return true;
+  }
+
   // The trial of the first part, or the second.
   Trial part(int i, Evidence& evidence) const {
     Trial part = trial_;
@@ -189,11 +210,19 @@ class AlongPackets {
     return part;
   }
 
-  DrawBlock packet_draws(const std::string& purpose) const {
-    const StreamKey key(trial_.seed, trial_.claim + purpose);
-    return independent_draws<Packet>(key, references_.size(), [draw = draw_](auto& source) {
-      return draw(std::type_identity<Packet>{}, source);
-    });
+  std::vector<std::vector<double>> pilot(std::size_t draws, const DrawBlock& draw_block) const {
+    std::vector channels(references_.size(), std::vector<double>(draws));
+    draw_block(0, channels);
+    return channels;
+  }
+
+  DrawBlock packet_draws(Numbers numbers, const std::string& purpose) const {
+    const auto in_packets = [draw = draw_](auto& source) { return draw(std::type_identity<Packet>{}, source); };
+    if (numbers == Numbers::independent)
+      return independent_draws<Packet>(StreamKey(trial_.seed, trial_.claim + purpose), references_.size(),
+                                       in_packets);
+    const StreamKey key(trial_.seed, trial_.claim + " over points" + purpose);
+    return replicate_draws<OwenSobol<Packet>>(key, in_packets, points_);
   }
 
   DrawBlock difference_draws(const std::string& purpose) const {
@@ -210,7 +239,9 @@ class AlongPackets {
 
   Trial trial_;
   Draw draw_;
-  std::vector<Reference> references_, packets_, differences_;
+  std::vector<Reference> references_;
+  std::uint32_t points_;  ///< of a replicate
+  std::vector<Reference> packets_, differences_;
 };
 
 /// The mean of an estimator in double: along its draws in packets where that is faster, and nobody listens, who is to hear draws in
@@ -218,8 +249,10 @@ class AlongPackets {
 template <class Draw>
 Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references, const Draw& draw) {
   const bool heard = trial.evidence != nullptr && trial.evidence->listener;
-  const AlongPackets<Draw> along(trial, references, draw);
-  if (!heard && along.pays()) return along.finding();
+  if (!heard) {
+    const AlongPackets<Draw> along(trial, references, draw);
+    if (const auto numbers = along.pays()) return along.finding(*numbers);
+  }
   return check_mean<double>(trial, references,
                             [&](auto& source) { return draw(std::type_identity<double>{}, source); });
 }

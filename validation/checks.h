@@ -70,31 +70,37 @@ std::vector<Reference> rounded_references(std::vector<Reference> references) {
   return references;
 }
 
-/// Draws that are made lanes<Real> at a time: `make(first, values)` gives values[c][i], channel c of draw first + i. Where the range
-/// is wide a test asks for single draws: a packet then serves as many of its blocks as it has lanes.
+/// Draws that are made lanes<Real> at a time: `make(first, places)` puts channel c of draw first + i at places[c][i]. Where the range is
+/// wide a test asks for single draws: a packet then serves as many of its blocks as it has lanes.
 template <class Real, class Make>
 DrawBlock draws_at_once(std::size_t channel_count, const Make& make) {
-  using Values = std::vector<std::array<double, lanes<Real>>>;
-  return [make, values = Values(channel_count), made = std::numeric_limits<std::uint64_t>::max()](
-             std::uint64_t first, std::vector<std::vector<double>>& channels) mutable {
-    for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      const std::uint64_t number = (first + i) / lanes<Real>;
-      if (number != made) {
-        make(lanes<Real> * number, values);
-        made = number;
-      }
-      for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = values[c][(first + i) % lanes<Real>];
-    }
-  };
+  constexpr std::size_t n = lanes<Real>;
+  return
+      [make, places = std::vector<double*>(channel_count), held = std::vector<std::array<double, n>>(channel_count),
+       made = std::numeric_limits<std::uint64_t>::max()](std::uint64_t first,
+                                                         std::vector<std::vector<double>>& channels) mutable {
+        const std::size_t size = channels[0].size();
+        for (std::size_t i = 0, count = n; i < size; i += count) {
+          const std::uint64_t number = (first + i) / n;
+          const std::size_t lane = (first + i) % n;
+          count = std::min(n - lane, size - i);
+          const bool whole = count == n;
+          for (std::size_t c = 0; c < channels.size(); ++c) places[c] = whole ? &channels[c][i] : held[c].data();
+          if (whole || number != made) make(n * number, places);
+          if (whole) continue;
+          made = number;
+          for (std::size_t c = 0; c < channels.size(); ++c) std::copy_n(&held[c][lane], count, &channels[c][i]);
+        }
+      };
 }
 
 /// Those of an estimator from independent numbers: `draw(source)` gives a Real or an Rgb<Real>.
 template <class Real, class Draw>
 DrawBlock independent_draws(const StreamKey& key, std::size_t channel_count, const Draw& draw) {
-  return draws_at_once<Real>(channel_count, [key, draw](std::uint64_t first, auto& values) {
+  return draws_at_once<Real>(channel_count, [key, draw](std::uint64_t first, const auto& places) {
     StreamNumbers<Real> source(key, first);
     const auto x = draw(source);
-    for (std::size_t c = 0; c < values.size(); ++c) store_lanes(detail::channel_of(x, c), values[c].data());
+    for (std::size_t c = 0; c < places.size(); ++c) store_lanes(detail::channel_of(x, c), places[c]);
   });
 }
 
@@ -142,7 +148,7 @@ auto sum_of_lanes(const Value& x) {
 template <PointSet Set, class Draw>
 auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
   constexpr auto at_once = static_cast<std::uint32_t>(lanes<typename Set::Scalar>);
-  if (replicate >> 32 != 0) throw std::length_error("replicates have run out (there are 2^32 of one key)");
+  if (replicate >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
   if (n % at_once != 0)
     throw std::invalid_argument("a replicate must fill whole packets (give a multiple of lanes)");
   const Set set(key, static_cast<std::uint32_t>(replicate), n);
@@ -156,23 +162,34 @@ auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t
   return decltype(detail::sum_of_lanes(total))(sum / static_cast<double>(n));
 }
 
-/// The mean of an estimator from a point set, in its arithmetic: whole replicates are the draws of the core test. Their
-/// range is that of the estimator, but for the n roundings of the sum.
-template <PointSet Set, class Draw>
-Finding check_replicates(const Trial& trial, std::vector<Reference> references, const Draw& draw, std::uint32_t n) {
-  references = rounded_references<typename Set::Scalar>(references);
+/// References of the means of replicates of n points: the range is that of the estimator, but for the n roundings of the sum in double.
+/// What lanes round before, rounded_references leaves room for.
+inline std::vector<Reference> replicate_references(std::vector<Reference> references, std::uint32_t n) {
   for (Reference& r : references) {
     const double slack = n * ulp<double> * std::max(std::abs(r.lower), std::abs(r.upper));
     r.lower -= r.lower == 0 ? 0 : slack;
     r.upper += slack;
   }
-  const StreamKey key(trial.seed, trial.claim);
-  return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+  return references;
+}
+
+/// Whole replicates as draws.
+template <PointSet Set, class Draw>
+DrawBlock replicate_draws(const StreamKey& key, const Draw& draw, std::uint32_t n) {
+  return [key, draw, n](std::uint64_t first, std::vector<std::vector<double>>& channels) {
     for (std::size_t i = 0; i < channels[0].size(); ++i) {
       const auto mean = replicate_mean<Set>(key, first + i, n, draw);
       for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = detail::channel_of(mean, c);
     }
-  });
+  };
+}
+
+/// The mean of an estimator from a point set, in its arithmetic: whole replicates are the draws of the core test.
+template <PointSet Set, class Draw>
+Finding check_replicates(const Trial& trial, const std::vector<Reference>& references, const Draw& draw,
+                         std::uint32_t n) {
+  return test_means(trial, replicate_references(rounded_references<typename Set::Scalar>(references), n),
+                    replicate_draws<Set>(StreamKey(trial.seed, trial.claim), draw, n));
 }
 
 /// Every draw equals the reference to within `ulps` units in the last place: an estimator without variance.

@@ -52,15 +52,12 @@ class Run {
   }
 
  private:
-  static Finding nothing_known(const Trial& trial, const std::string& why) {
+  Finding not_begun(const Claim* claim) const {
+    const Trial trial = manifest_.trial(claim->name);
     Finding finding{Verdict::undecided, Guarantee::deterministic, trial.margin};
     finding.interval = {-unlimited, unlimited};
-    finding.note = why;
+    finding.note = "the time was up before its turn";
     return with_token(trial, finding);
-  }
-
-  Finding not_begun(const Claim* claim) const {
-    return nothing_known(manifest_.trial(claim->name), "the time was up before its turn");
   }
 
   bool time_is_up() const { return clock_.seconds() > conformance_.seconds; }
@@ -87,11 +84,9 @@ class Run {
     outcomes_[i] = std::move(outcome);
   }
 
-  // What a test refuses, it says of its numbers, not of the claim that gave them. Where these run out the others go on.
+  // What a test refuses, it says of its numbers, not of the claim that gave them.
   static Finding check(const Claim& claim, const Trial& trial) try {
     return claim.check(trial);
-  } catch (const std::length_error& spent) {
-    return nothing_known(trial, spent.what());
   } catch (const std::invalid_argument& refused) {
     throw std::invalid_argument("\"" + claim.name + "\" cannot be tested on these terms (" + refused.what() + ")");
   }

@@ -53,8 +53,7 @@ Manifest manifest_of(const Conformance& conformance);
 /// others then have their second turn, from the start: the longest first, so that all threads end together. Where the time is
 /// limited, those first whose bias seems not to be zero, then the shortest, so that as many as possible come to their verdict;
 /// what has none when the time is up is undecided, and its interval holds all the same.
-/// A claim that throws std::length_error, as its random numbers have run out, is undecided.
-/// Throws std::invalid_argument unless the seconds are positive; and what else a claim throws.
+/// Throws std::invalid_argument unless the seconds are positive; and what a claim throws.
 std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const Conformance& conformance,
                                 const Progress& progress = {});
 

@@ -84,7 +84,7 @@ Finding check_sets(const Trial& trial, const std::vector<Reference>& references,
                     [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
                       const std::size_t count = channels[0].size();
                       if ((first + count) >> 32 != 0)
-                        throw std::length_error("sets have run out (there are 2^32 of one key)");
+                        throw NoMoreDraws("sets have run out (there are 2^32 of one key)");
                       for (std::size_t i = 0; i < count; i += lanes<Real>) {
                         std::array<double, lanes<Real>> values{};
                         store_lanes(means(first + i), values.data());

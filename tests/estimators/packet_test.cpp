@@ -63,17 +63,6 @@ TEST(Packet, ExpandsNumbersIntoTheLanesThatAreNamed) {
   EXPECT_EQ(expand(0, &one, 5.0), 5);
 }
 
-TEST(Packet, ScattersTheLanesThatAreAsked) {
-  std::array<float, lanes<Packet> + 2> table{};
-  scatter(0b0110, ramp(), table.data(), Words(1u) + lane_numbers<Packet::arch_type>());
-  for (std::size_t i = 0; i < table.size(); ++i)
-    EXPECT_EQ(table[i], i == 2 || i == 3 ? lanes_of(ramp())[i - 1] : 0) << i;
-  std::array<double, 3> doubles{1, 2, 3};
-  scatter(1, 7.0, doubles.data(), 1);
-  scatter(0, 8.0, doubles.data(), 2);
-  EXPECT_EQ(doubles, (std::array<double, 3>{1, 7, 3}));
-}
-
 // The five numbers of a Philox block: the upper 24 bits of its words, and the lower 8 of the first three.
 std::array<double, 5> numbers_of(const Philox<std::uint32_t>::Counter& words) {
   std::array<double, 5> numbers{};

@@ -177,6 +177,24 @@ TEST(Watch, EndsATestOfMeansUndecidedWithAnIntervalThatHolds) {
   EXPECT_GT(finding.interval.hi, trial.margin);
 }
 
+TEST(TestMeans, AreUndecidedWhereThereAreNoMoreDrawsAndKeepWhatTheySaw) {
+  Evidence evidence;
+  Trial seen = trial;
+  seen.evidence = &evidence;
+  const auto few_coins = [](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    if (first + channels[0].size() > 2000) throw NoMoreDraws("the coins have run out");
+    coins(first, channels);
+  };
+  const Finding finding = test_means(seen, {half}, few_coins);
+  EXPECT_EQ(finding.verdict, Verdict::undecided);
+  EXPECT_EQ(finding.note, "the coins have run out");
+  EXPECT_GT(finding.draws, 0u);
+  EXPECT_LE(finding.draws, 2000u);
+  EXPECT_LT(finding.interval.hi, 1);
+  EXPECT_EQ(evidence.means[0].steps().back().draws, finding.draws);
+  EXPECT_EQ(evidence.ladder.channels.size(), 1u);
+}
+
 TEST(Watch, EndsATestOfALawUndecided) {
   const Finding finding = test_law(
       watched(trial, [](double) { return false; }), IntervalDomain{0, 1}, [](double) { return 1.0; }, coin);

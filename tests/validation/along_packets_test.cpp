@@ -20,33 +20,47 @@ auto ramp(double packets_bias, double double_bias) {
 }
 const std::vector<Reference> two{{2, 0, 4}};
 
-Finding found(double packets_bias, double double_bias) {
+using Numbers = AlongPackets<decltype(ramp(0, 0))>::Numbers;
+constexpr std::array both_numbers{Numbers::independent, Numbers::points};
+
+Finding found(double packets_bias, double double_bias, Numbers numbers) {
   const auto draw = ramp(packets_bias, double_bias);
-  return AlongPackets(trial, two, draw).finding();
+  return AlongPackets(trial, two, draw).finding(numbers);
+}
+
+template <class Draw>
+Finding found_alone(const Trial& t, const std::vector<Reference>& references, const Draw& draw) {
+  return AlongPackets(t, references, draw).finding(AlongPackets<Draw>::Numbers::independent);
 }
 
 TEST(AlongPackets, CertifiesTheMeanInDouble) {
-  const Finding finding = found(0, 0);
-  EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
-  EXPECT_EQ(finding.guarantee, Guarantee::exact);
-  EXPECT_EQ(finding.margin, trial.margin);
-  EXPECT_LE(finding.interval.lo, finding.bias);
-  EXPECT_GE(finding.interval.hi, finding.bias);
-  EXPECT_LT(finding.interval.hi, trial.margin);
-  EXPECT_DOUBLE_EQ(finding.rounding, 1e-5);
+  for (const Numbers numbers : both_numbers) {
+    const Finding finding = found(0, 0, numbers);
+    EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
+    EXPECT_EQ(finding.guarantee, Guarantee::exact);
+    EXPECT_EQ(finding.margin, trial.margin);
+    EXPECT_LE(finding.interval.lo, finding.bias);
+    EXPECT_GE(finding.interval.hi, finding.bias);
+    EXPECT_LT(finding.interval.hi, trial.margin);
+    EXPECT_DOUBLE_EQ(finding.rounding, 1e-5);
+  }
 }
 
 TEST(AlongPackets, FindsABiasOfEitherArithmeticAndSaysWhich) {
-  for (const double bias : {-0.02, 0.02}) {
-    const Finding both = found(bias, bias), packets = found(bias, 0), doubles = found(0, bias);
-    for (const Finding& finding : {both, packets, doubles}) {
-      EXPECT_EQ(finding.verdict, Verdict::biased);
-      EXPECT_EQ(finding.margin, trial.margin);
-      EXPECT_NEAR(finding.bias / bias, 1, 0.5);
+  for (const Numbers numbers : both_numbers) {
+    for (const double bias : {-0.02, 0.02}) {
+      const Finding both = found(bias, bias, numbers), packets = found(bias, 0, numbers),
+                    doubles = found(0, bias, numbers);
+      for (const Finding& finding : {both, packets, doubles}) {
+        EXPECT_EQ(finding.verdict, Verdict::biased);
+        EXPECT_EQ(finding.margin, trial.margin);
+        EXPECT_NEAR(finding.bias / bias, 1, 0.5);
+      }
+      EXPECT_TRUE(both.note.starts_with("seen in packets of floats")) << both.note;
+      EXPECT_TRUE(packets.note.starts_with("seen in packets of floats")) << packets.note;
+      EXPECT_EQ(packets.note.find("Sobol") != std::string::npos, numbers == Numbers::points) << packets.note;
+      EXPECT_TRUE(doubles.note.starts_with("less its draws in packets")) << doubles.note;
     }
-    EXPECT_TRUE(both.note.starts_with("seen in packets of floats")) << both.note;
-    EXPECT_TRUE(packets.note.starts_with("seen in packets of floats")) << packets.note;
-    EXPECT_TRUE(doubles.note.starts_with("less its draws in packets")) << doubles.note;
   }
 }
 
@@ -57,7 +71,7 @@ TEST(AlongPackets, AddsUpThePartsOfAChannel) {
     return Rgb<Real>(x * rounded<Real>(1.005), x * rounded<Real>(lanes<Real> > 1 ? 1 : 1.001), x);
   };
   const Trial wide{"along_packets_test", 1, 1e-6, 0.01, 0.1};
-  const Finding finding = AlongPackets(wide, {{2, 0, 4}, {2, 0, 4}, {2, 0, 4}}, draw).finding();
+  const Finding finding = found_alone(wide, {{2, 0, 4}, {2, 0, 4}, {2, 0, 4}}, draw);
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_LE(finding.interval.lo, 0.005);
   EXPECT_GE(finding.interval.hi, 0.005);
@@ -70,7 +84,7 @@ TEST(AlongPackets, NamesADrawInDoubleThatIsOutOfItsRange) {
       const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
         return Real(lanes<Real> > 1 ? rounded<Real>(2) : rounded<Real>(value)) + Real(0) * source.next();
       };
-      const Finding finding = AlongPackets(trial, {{2, 0, 4, slack}}, draw).finding();
+      const Finding finding = found_alone(trial, {{2, 0, 4, slack}}, draw);
       EXPECT_EQ(finding.verdict, Verdict::biased) << value;
       if (value == 4.1 && slack > 0) continue;
       EXPECT_NE(finding.note.find("draw 0 is "), std::string::npos) << finding.note;
@@ -83,7 +97,7 @@ TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   const auto draw = ramp(0, 0);
   const auto pays = [&](const Reference& reference, double margin) {
     const Trial one{"along_packets_test", 1, 1e-6, 0.01, margin};
-    return AlongPackets(one, {reference}, draw).pays();
+    return AlongPackets(one, {reference}, draw).pays().has_value();
   };
   EXPECT_TRUE(pays({2, 0, 4}, 1e-3));
   EXPECT_FALSE(pays({2, 0, 4000}, 1e-3));
@@ -93,6 +107,14 @@ TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .rounding = 2e-4}, 1e-3)) << "which 79 % does not take";
   EXPECT_FALSE(pays({2, 0, 2.9}, 1e-3)) << "out of the range";
   EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .sides = Sides::not_above}, 1e-3));
+}
+
+TEST(AlongPackets, TakesPointsWhereTheVarianceSaysHowManyDrawsThereMustBe) {
+  const auto numbers = [](double upper, double margin) {
+    return AlongPackets(Trial{"along_packets_test", 1, 1e-6, 0.01, margin}, {{2, 0, upper}}, ramp(0, 0)).pays();
+  };
+  EXPECT_EQ(numbers(4, 1e-3), Numbers::points);
+  EXPECT_EQ(numbers(4, 1e-2), Numbers::independent);
 }
 
 // Beyond its bound a draw is not the difference's matter, which else would have none.
@@ -126,8 +148,7 @@ TEST(AlongPackets, LeavesOneLadderAChannelAndFewDrawsInDouble) {
     Evidence evidence;
     Trial watched = fine;
     watched.evidence = &evidence;
-    const auto draw = ramp(0, bias);
-    const Finding finding = AlongPackets(watched, two, draw).finding();
+    const Finding finding = found_alone(watched, two, ramp(0, bias));
     ASSERT_EQ(evidence.ladder.channels.size(), 1u);
     ASSERT_EQ(evidence.means.size(), 2u);
     const auto in_packets = evidence.means[0].steps().back().draws,

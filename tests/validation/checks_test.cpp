@@ -51,6 +51,33 @@ TEST(CheckMean, NamesADrawThatIsOutOfItsRange) {
   }
 }
 
+// Draw i is i in one channel and -i in the other, whatever the blocks that it is asked for in: whole packets, parts of them, the rest
+// of one that has been made.
+template <class Real>
+void expect_draws_in_their_places() {
+  const auto draws = draws_at_once<Real>(2, [](std::uint64_t first, const auto& places) {
+    EXPECT_EQ(first % lanes<Real>, 0u);
+    for (std::size_t i = 0; i < lanes<Real>; ++i) {
+      places[0][i] = static_cast<double>(first + i);
+      places[1][i] = -places[0][i];
+    }
+  });
+  std::uint64_t first = 0;
+  for (const std::size_t size : {1, 2, 64, 3, 1, 16, 61, 4, 16, 8, 5, 64, 33}) {
+    std::vector channels(2, std::vector<double>(size));
+    draws(first, channels);
+    for (std::size_t i = 0; i < size; ++i) {
+      EXPECT_EQ(channels[0][i], static_cast<double>(first + i));
+      EXPECT_EQ(channels[1][i], -static_cast<double>(first + i));
+    }
+    first += size;
+  }
+}
+TEST(DrawsAtOnce, AreInTheirPlacesWhateverTheBlocks) {
+  expect_draws_in_their_places<double>();
+  expect_draws_in_their_places<Packet>();
+}
+
 // In packets a bias of the arithmetic's rounding, 5e-6, is no bias; one of 1e-3 is.
 TEST(CheckMean, AllowsPacketsTheirRounding) {
   const Trial fine{"checks_test", 1, 1e-6, 0.01, 1e-3};

@@ -83,17 +83,6 @@ TEST(RunClaims, LeaveUndecidedWhatHasNoVerdictWhenTheTimeIsUp) {
   }
 }
 
-TEST(RunClaims, GoOnWhereTheNumbersOfOneRunOut) {
-  Claim spent = *select_claims({"importance.cosine"})[0];
-  spent.check = [](const Trial&) -> Finding { throw std::length_error("numbers have run out"); };
-  const Claim* other = select_claims({"pick.one.2"})[0];
-  const auto outcomes = run_claims({&spent, other}, quick);
-  EXPECT_EQ(outcomes[0].finding.verdict, Verdict::undecided);
-  EXPECT_EQ(outcomes[0].finding.note, "numbers have run out");
-  EXPECT_TRUE(failed(outcomes[0]));
-  EXPECT_EQ(outcomes[1].finding.verdict, Verdict::certified);
-}
-
 TEST(RunClaims, LeaveUndecidedWhatHasNoTurn) {
   Conformance hurried = quick;
   hurried.seconds = 1e-9;

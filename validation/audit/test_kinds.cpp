@@ -74,15 +74,20 @@ TestKind difference() {
 }
 
 // In double, along packets: each part has as much of the bias as of the margin.
-TestKind along_packets() {
-  return {"betting.along_packets", false, [](const Trial& trial, double bias) {
+TestKind along(bool over_points) {
+  return {over_points ? "betting.along_points" : "betting.along_packets", false,
+          [=](const Trial& trial, double bias) {
             const auto draw = [bias]<class Real>(std::type_identity<Real>, auto& source) {
               const double share = lanes<Real> > 1 ? detail::share_of_packets : 1;
               return Real(rounded<Real>(2 * (1 + share * bias)) * source.next());
             };
-            return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding();
+            const AlongPackets both(trial, {{1, 0, 2.5}}, draw);
+            using Numbers = decltype(both)::Numbers;
+            return both.finding(over_points ? Numbers::points : Numbers::independent);
           }};
 }
+TestKind along_packets() { return along(false); }
+TestKind along_points() { return along(true); }
 
 TestKind student() {
   return {"t.exponential", false, [](const Trial& trial, double bias) {
@@ -243,8 +248,8 @@ std::vector<TestKind> build() {
   std::vector<TestKind> kinds;
   for (const CostLaw& law : cost_laws()) kinds.push_back(betting(law));
   for (const auto& make :
-       {one_sided, not_below, channels, difference, along_packets, student, welch, counts, two_cells, density,
-        kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates, account}) {
+       {one_sided, not_below, channels, difference, along_packets, along_points, student, welch, counts, two_cells,
+        density, kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates, account}) {
     kinds.push_back(make());
   }
   return kinds;
