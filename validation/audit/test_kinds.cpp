@@ -82,8 +82,8 @@ TestKind along(bool over_points) {
               return Real(rounded<Real>(2 * (1 + share * bias)) * source.next());
             };
             const AlongPackets both(trial, {{1, 0, 2.5}}, draw);
-            using Numbers = decltype(both)::Numbers;
-            return both.finding(over_points ? Numbers::points : Numbers::independent);
+            using By = decltype(both)::Numbers;
+            return both.finding(over_points ? By::points : By::independent);
           }};
 }
 TestKind along_packets() { return along(false); }
