@@ -114,7 +114,7 @@ TEST(AlongPackets, TakesPointsWhereTheVarianceSaysHowManyDrawsThereMustBe) {
     return AlongPackets(Trial{"along_packets_test", 1, 1e-6, 0.01, margin}, {{2, 0, upper}}, ramp(0, 0)).pays();
   };
   EXPECT_EQ(numbers(4, 1e-3), Numbers::points);
-  EXPECT_EQ(numbers(4, 1e-2), Numbers::independent);
+  EXPECT_EQ(numbers(4, 4e-3), Numbers::independent);
 }
 
 // Beyond its bound a draw is not the difference's matter, which else would have none.
