@@ -124,6 +124,9 @@ inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding&
 
 }  // namespace detail
 
+/// What packets draw with that a mean in double is seen along.
+enum class PacketNumbers { independent, points };
+
 /// The mean of `draw(type_identity<Real>, source)` in double, most of it seen in packets: E[double] = E[packet] + E[double - packet].
 /// Packets draw some ten times as fast, and along the same numbers the difference is next to nothing, so that few draws show its
 /// mean. That of packets does not depend on how their numbers are spread, so it may be seen over replicates of Sobol's points, which
@@ -132,9 +135,6 @@ inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding&
 template <class Draw>
 class AlongPackets {
  public:
-  /// What the packets draw with.
-  enum class Numbers { independent, points };
-
   AlongPackets(const Trial& trial, const std::vector<Reference>& references, const Draw& draw)
       : trial_(trial),
         draw_(draw),
@@ -147,29 +147,30 @@ class AlongPackets {
   /// By which numbers it takes less time than double alone, as pilots foresee, if by any: not where the range is so wide that it alone
   /// says how many draws there must be. A packet is taken to cost what a draw in double does, and twice as much where it has
   /// points. A pilot that is out of its range is left to double.
-  std::optional<Numbers> pays() const try {
+  std::optional<PacketNumbers> pays() const try {
     if (!fits()) return std::nullopt;
-    const auto draws = pilot(1024, packet_draws(Numbers::independent, " pilot"));
+    const auto draws = pilot(1024, packet_draws(PacketNumbers::independent, " pilot"));
     const double alone = expected_draws(trial_, rounded_references<Packet>(references_), draws);
     const double independent = expected_draws(trial_, packets_, draws) / lanes<Packet>;
-    const double points = expected_draws(trial_, packets_, pilot(64, packet_draws(Numbers::points, " pilot"))) * 2 *
-                          points_ / lanes<Packet>;
+    const double points =
+        expected_draws(trial_, packets_, pilot(64, packet_draws(PacketNumbers::points, " pilot"))) * 2 * points_ /
+        lanes<Packet>;
     const double in_packets = std::min(independent, points);
     if (in_packets > alone) return std::nullopt;
     const auto differences = pilot(512, difference_draws(" pilot"));
     const double of_differences = (1 + 1.0 / lanes<Packet>)*expected_draws(trial_, differences_, differences);
     if (in_packets + of_differences > alone) return std::nullopt;
-    return points < independent ? Numbers::points : Numbers::independent;
+    return points < independent ? PacketNumbers::points : PacketNumbers::independent;
   } catch (const BadDraw&) {
     return std::nullopt;
   }
 
   /// Where the packets fail, the figures are theirs, as the difference is then not drawn, and the note says so. Throws what test_means
   /// does.
-  Finding finding(Numbers numbers) const {
+  Finding finding(PacketNumbers numbers) const {
     Evidence of_packets, of_difference;
     std::vector<Finding> packets = test_each_mean(part(0, of_packets), packets_, packet_draws(numbers, ""));
-    if (numbers == Numbers::points) {
+    if (numbers == PacketNumbers::points) {
       for (Finding& each : packets) each.draws *= points_;
     }
     const bool go_on = worst_of(packets).verdict == Verdict::certified;
@@ -181,7 +182,7 @@ class AlongPackets {
       sums.push_back(detail::sum_of(trial_, packets[c], differences[c]));
     }
     Finding whole = worst_of(sums);
-    const char* seen = numbers == Numbers::points
+    const char* seen = numbers == PacketNumbers::points
                            ? "seen in packets of floats over Sobol' points, which it is drawn along"
                            : "seen in packets of floats, which it is drawn along";
     if (!go_on) whole.note = detail::note_on(seen, whole.note);
@@ -216,9 +217,10 @@ class AlongPackets {
     return channels;
   }
 
-  DrawBlock packet_draws(Numbers numbers, const std::string& purpose) const {
+  // What a tail may hide of draws it may hide of their means, at most (Jensen).
+  DrawBlock packet_draws(PacketNumbers numbers, const std::string& purpose) const {
     const auto in_packets = [draw = draw_](auto& source) { return draw(std::type_identity<Packet>{}, source); };
-    if (numbers == Numbers::independent)
+    if (numbers == PacketNumbers::independent)
       return independent_draws<Packet>(StreamKey(trial_.seed, trial_.claim + purpose), references_.size(),
                                        in_packets);
     const StreamKey key(trial_.seed, trial_.claim + " over points" + purpose);

@@ -37,7 +37,7 @@ TEST(PhiloxStream, IsTheKnownBlockCutIntoDoubles) {
   EXPECT_EQ(source.next(), number(second[2], second[3]));
 }
 
-TEST(StreamKey, HasFurtherOnesThatShareNothing) {
+TEST(StreamKey, HasFurtherOnesWithOtherNumbers) {
   const StreamKey key(1, "test");
   EXPECT_EQ(key.further(0).words(), key.words());
   EXPECT_EQ(key.further(2).further(3).words(), key.further(5).words());

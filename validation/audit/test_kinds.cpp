@@ -74,20 +74,17 @@ TestKind difference() {
 }
 
 // In double, along packets: each part has as much of the bias as of the margin.
-TestKind along(bool over_points) {
-  return {over_points ? "betting.along_points" : "betting.along_packets", false,
-          [=](const Trial& trial, double bias) {
+TestKind along(const std::string& name, PacketNumbers numbers) {
+  return {name, false, [=](const Trial& trial, double bias) {
             const auto draw = [bias]<class Real>(std::type_identity<Real>, auto& source) {
               const double share = lanes<Real> > 1 ? detail::share_of_packets : 1;
               return Real(rounded<Real>(2 * (1 + share * bias)) * source.next());
             };
-            const AlongPackets both(trial, {{1, 0, 2.5}}, draw);
-            using By = decltype(both)::Numbers;
-            return both.finding(over_points ? By::points : By::independent);
+            return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding(numbers);
           }};
 }
-TestKind along_packets() { return along(false); }
-TestKind along_points() { return along(true); }
+TestKind along_packets() { return along("betting.along_packets", PacketNumbers::independent); }
+TestKind along_points() { return along("betting.along_points", PacketNumbers::points); }
 
 TestKind student() {
   return {"t.exponential", false, [](const Trial& trial, double bias) {
