@@ -74,21 +74,46 @@ struct RouletteByReflectance {
   }
 };
 
-/// From a given depth on a path goes on with the largest channel of what it carries, where that is below 1: survivors
-/// carry 1, so that no work is spent on what hardly counts.
-/// Random   one dimension, none where no lane has come to the first depth
-/// Bound    the throughput is at most 1 after roulette, or what it was: it never exceeds 1 where no bounce weighs more
+/// A path goes on with the largest channel of what it will carry after a bounce that weighs the albedo, where that is below 1:
+/// survivors then carry 1, so that no work is spent on what hardly counts.
+/// Random   one dimension
+/// Bound    where no bounce weighs more than w times the albedo, a path carries at most w afterwards, or w albedo times what it did
 /// Source   Arvo and Kirk 1990; Pharr, Jakob, Humphreys, PBR 4ed, 13.4
-template <int first_depth = 0, class Roulette = RussianRoulette>
+template <class Roulette = RussianRoulette>
 struct RouletteByThroughput {
   template <class Real, UniformSource<Real> Source>
-  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>& throughput, const Real& depth, Source& source) {
+  static Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real&, Source& source) {
     using std::min;
-    const Mask<Real> spared = depth < rounded<Real>(first_depth);
-    if (all(spared)) return {spared, Real(1)};
-    const Real q = min(Real(1), max_channel(throughput));
-    return Roulette::template play<Real>(select(spared, Real(1), q), source.next());
+    const Real q = min(Real(1), max_channel(Rgb<Real>(throughput * albedo)));
+    return Roulette::template play<Real>(q, source.next());
   }
+};
+
+/// Another roulette, but for the bounces before one of a given number, which all paths make: the first ones carry most of a picture.
+/// Domain   bounces are counted from 1; throws std::invalid_argument for a first one below that
+/// Random   that of the other, none where no lane has come to its first bounce
+/// Bound    that of the other, times what the bounces before it weigh
+/// Source   Mitsuba 3, rr_depth ("may randomly cease after encountering directly visible surfaces": 1)
+template <class Roulette>
+class RouletteFromBounce {
+ public:
+  explicit RouletteFromBounce(int first, Roulette roulette = Roulette()) : first_(first), roulette_(roulette) {
+    if (first < 1)
+      throw std::invalid_argument("a path's first bounce is number 1 (roulette cannot begin before it)");
+  }
+
+  template <class Real, UniformSource<Real> Source>
+  Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real& depth,
+                      Source& source) const {
+    const Mask<Real> spared = depth < rounded<Real>(first_ - 1);
+    if (all(spared)) return {spared, Real(1)};
+    const auto [alive, weight] = roulette_.template play<Real>(albedo, throughput, depth, source);
+    return {alive || spared, select(spared, Real(1), weight)};
+  }
+
+ private:
+  int first_;
+  Roulette roulette_;
 };
 
 /// Every path goes on, to the maximum depth: the sum of the terms up to there.

@@ -185,6 +185,9 @@ void add_render(CLI::App& program, Command& command) {
   choice("--which-light", settings.which_light, "All luminaires, or one of them: any, or by power or contribution",
          {"all", "one", "power", "contribution"});
   choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "throughput", "off"});
+  app->add_option("--roulette-depth", settings.roulette_depth,
+                  "The first bounce that roulette may refuse; 1 by albedo and 5 by throughput if not given")
+      ->check(CLI::Range(1, 1 << 20));
   choice("--filter", settings.filter, "The pixel filter", {"tent", "box", "gaussian", "blackman-harris"});
   choice("--random", settings.random, "Where random numbers come from", {"independent", "sobol", "stratified"});
   app->add_option("--points", options->points,

@@ -21,6 +21,7 @@ struct RenderSettings {
   std::string light_sampling = "area";  ///< area | visible | cone | solid-angle
   std::string which_light = "one";      ///< all | one | power | contribution
   std::string roulette = "albedo";      ///< albedo | throughput | off
+  int roulette_depth = -1;              ///< the first bounce that it may refuse, from 1; -1 for the roulette's own
   std::string filter = "tent";          ///< tent | box | gaussian | blackman-harris
   std::string random = "independent";   ///< independent | sobol | stratified
   std::uint32_t points = 1;  ///< of a set: samples that depend on each other, and make one draw of the film
@@ -30,7 +31,8 @@ struct RenderSettings {
   double fov = -1;           ///< the vertical field of view [degrees]; negative for the scene's own
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, real, bounce, direct, light_sampling,
-                                   which_light, roulette, filter, random, points, max_depth, aperture, focus, fov)
+                                   which_light, roulette, roulette_depth, filter, random, points, max_depth,
+                                   aperture, focus, fov)
 
 /// Samples first .. last - 1 of every pixel.
 struct SampleRange {

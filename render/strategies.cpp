@@ -23,6 +23,15 @@ Strategy choose(const char* what, const std::string& value, Pairs... all) {
   return named<Strategy>(what, value, std::array{std::pair<std::string_view, Strategy>(all)...});
 }
 
+// By throughput from the fifth on, as Mitsuba has it: the first ones carry most of a picture.
+int first_refused(const RenderSettings& settings) {
+  if (settings.roulette_depth == -1) return settings.roulette == "throughput" ? 5 : 1;
+  if (settings.roulette == "off")
+    throw std::invalid_argument(
+        "without roulette there is no bounce for it to begin at (leave out --roulette-depth, or give --roulette)");
+  return settings.roulette_depth;
+}
+
 void check_ends(const Strategies& strategies) {
   if (strategies.max_depth >= 0) return;
   if (strategies.roulette == Strategies::Roulette::off) {
@@ -66,6 +75,7 @@ Strategies::Strategies(const RenderSettings& settings, const Scene& scene)
                                      std::pair("contribution", WhichLight::contribution))),
       roulette(choose<Roulette>("roulette", settings.roulette, std::pair("albedo", Roulette::albedo),
                                 std::pair("throughput", Roulette::throughput), std::pair("off", Roulette::off))),
+      roulette_depth(first_refused(settings)),
       filter(choose<Filter>("filter", settings.filter, std::pair("tent", Filter::tent),
                             std::pair("box", Filter::box), std::pair("gaussian", Filter::gaussian),
                             std::pair("blackman-harris", Filter::blackman_harris))),

@@ -30,6 +30,7 @@ struct Strategies {
   LightSampling light_sampling;
   WhichLight which_light;
   Roulette roulette;
+  int roulette_depth;  ///< the first bounce that roulette may refuse
   Filter filter;
   Random random;
   std::uint32_t points;
@@ -177,14 +178,14 @@ class ChosenDirect {
   bool none_;
 };
 
-/// What decides whether a path goes on. By throughput from its third bounce on: the first ones carry most of the picture.
-struct ChosenRoulette {
+/// What decides whether a path goes on, from the first bounce that it may refuse.
+struct ChosenRouletteKind {
   template <class Real, class Source>
   Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real& depth,
                       Source& source) const {
-    switch (roulette) {
+    switch (kind) {
       case Strategies::Roulette::throughput:
-        return RouletteByThroughput<3>::play<Real>(albedo, throughput, depth, source);
+        return RouletteByThroughput<>::play<Real>(albedo, throughput, depth, source);
       case Strategies::Roulette::off:
         return NoRoulette::play<Real>(albedo, throughput, depth, source);
       case Strategies::Roulette::albedo:
@@ -192,8 +193,14 @@ struct ChosenRoulette {
     }
     return RouletteByReflectance<>::play<Real>(albedo, throughput, depth, source);
   }
-  Strategies::Roulette roulette;
+  Strategies::Roulette kind;
 };
+
+using ChosenRoulette = RouletteFromBounce<ChosenRouletteKind>;
+
+inline ChosenRoulette chosen_roulette(const Strategies& strategies) {
+  return ChosenRoulette(strategies.roulette_depth, {strategies.roulette});
+}
 
 /// The pixel filter.
 template <class Real>
@@ -257,7 +264,8 @@ class ChosenNumbers {
 template <class Real>
 auto chosen_tracer(const Strategies& strategies, const Scene& scene) {
   return PathTracer<ChosenBounces, ChosenDirect<Real>, ChosenRoulette>(
-      strategies.max_depth, ChosenDirect<Real>(strategies, scene), {strategies.bounce}, {strategies.roulette});
+      strategies.max_depth, ChosenDirect<Real>(strategies, scene), {strategies.bounce},
+      chosen_roulette(strategies));
 }
 
 }  // namespace fairlight

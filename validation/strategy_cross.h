@@ -102,6 +102,7 @@ class StrategyCross {
     settings.light_sampling = search.light_sampling;
     if (row[2] != no_choice) settings.which_light = choices[row[2]];
     settings.roulette = roulettes[row[3]];
+    if (settings.roulette == "throughput") settings.roulette_depth = 2;  // paths are short
     settings.random = numbers[row[4]];
     settings.points = settings.random == "independent" ? 1 : 4;
     settings.filter = filters[row[5]];

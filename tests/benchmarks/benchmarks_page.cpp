@@ -132,11 +132,11 @@ void print_scenes(const Medians& medians) {
     if (std::ranges::find(scenes, scene) == scenes.end()) scenes.push_back(scene);
     if (std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
   }
-  std::cout
-      << "\n## The path tracer\n\n"
-         "Camera paths per second [M/s] of 256 x 256 pixels, 64 samples each: light by shadow rays to one "
-         "luminaire, roulette by throughput.\nIn `double` and of many lights, 2 samples each; in packets by every "
-         "instruction set of the machine.\n\n| scene |";
+  std::cout << "\n## The path tracer\n\n"
+               "Camera paths per second [M/s] of 256 x 256 pixels, 64 samples each: light by shadow rays to one "
+               "luminaire, roulette by throughput\nfrom the third bounce on. In `double` and of many lights, 2 "
+               "samples each; in packets by every instruction "
+               "set of the machine.\n\n| scene |";
   for (const std::string& kind : kinds) std::cout << " " << kind << " |";
   std::cout << " " << kinds.back() << " / " << kinds.front() << " | rays a path |\n|---|";
   for (std::size_t i = 0; i < kinds.size() + 2; ++i) std::cout << "--:|";

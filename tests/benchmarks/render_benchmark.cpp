@@ -34,6 +34,7 @@ void add_scene(const std::string& scene) {
   RenderSettings settings;
   settings.scene = scene;
   settings.roulette = "throughput";
+  settings.roulette_depth = 3;
   const auto add = [&](const std::string& name, const std::string& instructions) {
     benchmark::RegisterBenchmark((scene + "/" + name).c_str(),
                                  [=](benchmark::State& state) { render(state, settings, instructions); })

@@ -61,27 +61,56 @@ TEST(RouletteByReflectance, GoesOnWithTheLargestReflectance) {
   EXPECT_FALSE(RouletteByReflectance<>::play<double>(albedo, throughput, 0, above).alive);
 }
 
-TEST(RouletteByThroughput, GoesOnWithTheLargestChannelOfTheThroughput) {
-  const Rgb<double> albedo(0.9, 0.9, 0.9);
-  ScriptedSource below({0.49});
-  ScriptedSource above({0.51});
+TEST(RouletteByThroughput, GoesOnWithTheLargestChannelOfWhatTheBounceLeaves) {
+  const Rgb<double> albedo(0.25, 0.5, 1);  // leaves 1/8, 1/16, 1/4
+  ScriptedSource below({0.24});
+  ScriptedSource above({0.26});
   const auto survival = RouletteByThroughput<>::play<double>(albedo, throughput, 0, below);
   EXPECT_TRUE(survival.alive);
-  EXPECT_EQ(survival.weight, 2);
+  EXPECT_EQ(survival.weight, 4);
   EXPECT_FALSE(RouletteByThroughput<>::play<double>(albedo, throughput, 0, above).alive);
 }
 
-TEST(RouletteByThroughput, NeverEndsAPathThatCarriesOneOrMore) {
+TEST(RouletteByThroughput, NeverEndsAPathThatWillCarryOneOrMore) {
   ScriptedSource largest({1 - 0x1p-53});
-  const auto survival = RouletteByThroughput<>::play<double>(throughput, Rgb<double>(0.5, 3, 1), 0, largest);
+  const auto survival =
+      RouletteByThroughput<>::play<double>(Rgb<double>(0.5, 0.5, 0.5), Rgb<double>(0.5, 3, 1), 0, largest);
   EXPECT_TRUE(survival.alive);
   EXPECT_EQ(survival.weight, 1);
 }
 
-TEST(RouletteByThroughput, WaitsForItsFirstDepthAndTakesNoNumberBefore) {
-  ScriptedSource one({0.51});
-  EXPECT_TRUE(RouletteByThroughput<2>::play<double>(throughput, throughput, 1, one).alive);
-  EXPECT_FALSE(RouletteByThroughput<2>::play<double>(throughput, throughput, 2, one).alive);
+TEST(RouletteFromBounce, WaitsForItsBounceAndTakesNoNumberBefore) {
+  const RouletteFromBounce<RouletteByThroughput<>> from_second(2);
+  ScriptedSource one({0.26});
+  const Rgb<double> half(0.5, 0.5, 0.5);
+  const auto first = from_second.play<double>(half, half, 0, one);
+  EXPECT_TRUE(first.alive);
+  EXPECT_EQ(first.weight, 1);
+  EXPECT_FALSE(from_second.play<double>(half, half, 1, one).alive);
+}
+
+// Of two lanes that draw the same number, 0.6 against 1/2, one is at its first bounce, and is not paid either.
+TEST(RouletteFromBounce, SparesLaneByLane) {
+  struct Constant {
+    Packet next() const { return Packet(0.6f); }
+  } constant;
+  std::array<double, lanes<Packet>> depths{}, alive{}, weights{};
+  depths[1] = 1;
+  Packet depth;
+  load_lanes(depths.data(), depth);
+  const Rgb<Packet> one = Rgb<Packet>::Ones(), half = Rgb<Packet>::Constant(Packet(0.5f));
+  const auto survival = RouletteFromBounce<RouletteByThroughput<>>(2).play<Packet>(half, one, depth, constant);
+  store_lanes(Packet(select(survival.alive, Packet(1.0f), Packet(0.0f))), alive.data());
+  store_lanes(survival.weight, weights.data());
+  EXPECT_EQ(alive[0], 1);
+  EXPECT_EQ(weights[0], 1);
+  EXPECT_EQ(alive[1], 0);
+}
+
+TEST(RouletteFromBounce, RefusesToBeginBeforeTheFirst) {
+  for (int first : {0, -3}) {
+    EXPECT_THROW(RouletteFromBounce<RouletteByReflectance<>>{first}, std::invalid_argument) << first;
+  }
 }
 
 TEST(NoRoulette, AlwaysGoesOnAndTakesNoNumber) {
@@ -100,8 +129,8 @@ TEST(RouletteByThroughput, PlaysLaneByLane) {
       return Packet::load_unaligned(numbers.data());
     }
   } ramp;
-  const Rgb<Packet> half = Rgb<Packet>::Constant(Packet(0.5f));
-  const auto [alive, weight] = RouletteByThroughput<>::play<Packet>(half, half, 0, ramp);
+  const Rgb<Packet> one = Rgb<Packet>::Ones(), half = Rgb<Packet>::Constant(Packet(0.5f));
+  const auto [alive, weight] = RouletteByThroughput<>::play<Packet>(half, one, 0, ramp);
   std::array<double, lanes<Packet>> values{};
   store_lanes(Packet(select(alive, weight, Packet(0.0f))), values.data());
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(values[i], 2 * i < values.size() ? 2 : 0) << i;

@@ -52,6 +52,36 @@ TEST(Sharing, KnowsHowALightIsChosen) {
   EXPECT_NEAR(weight(ByPower(one_by_power(floor))), expected, 1e-12);
 }
 
+// Of paths that carry 1/2 to a surface that reflects half, all make the bounces before it, and none the bounce itself at 0.9.
+TEST(ChosenRoulette, BeginsAtTheBounceThatIsAskedForOrItsOwn) {
+  const auto first_refused = [](const std::string& kind, int asked) {
+    RenderSettings settings;
+    settings.roulette = kind;
+    settings.roulette_depth = asked;
+    const ChosenRoulette roulette = chosen_roulette(Strategies(settings, lit_floor()));
+    const Rgb<double> half(0.5, 0.5, 0.5);
+    for (int bounce = 1; bounce < 20; ++bounce) {
+      ScriptedSource source({0.9});
+      if (!roulette.play<double>(half, half, bounce - 1, source).alive) return bounce;
+    }
+    return 0;
+  };
+  EXPECT_EQ(first_refused("albedo", -1), 1);
+  EXPECT_EQ(first_refused("throughput", -1), 5);
+  EXPECT_EQ(first_refused("albedo", 4), 4);
+  EXPECT_EQ(first_refused("throughput", 3), 3);
+  EXPECT_THROW(first_refused("throughput", 0), std::invalid_argument);
+}
+
+TEST(Strategies, RefuseADepthOfRouletteWithoutIt) {
+  RenderSettings settings;
+  settings.roulette = "off";
+  settings.max_depth = 3;
+  EXPECT_NO_THROW(Strategies(settings, lit_floor()));
+  settings.roulette_depth = 2;
+  EXPECT_THROW(Strategies(settings, lit_floor()), std::invalid_argument);
+}
+
 // A mirror shows the light, which no shadow ray finds in it: all of its emission counts.
 TEST(SurfaceBsdf, OfAMirrorIsSeenThroughByTheBounceAlone) {
   Scene scene;

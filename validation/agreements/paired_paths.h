@@ -41,7 +41,7 @@ auto paired_tracers(const RenderSettings& one, const RenderSettings& other, cons
     return PathTracer<ChosenBounces, Direct, ChosenRoulette>(
         strategies.max_depth,
         Direct{One<Real>(Strategies(one, scene), scene), ChosenDirect<Real>(strategies, scene)},
-        {strategies.bounce}, {strategies.roulette});
+        {strategies.bounce}, chosen_roulette(strategies));
   };
 }
 

@@ -55,7 +55,8 @@ class RenderedPixels {
 
 /// What a path of these strategies may bring: at every vertex what its shadow rays bring and what a bounce finds, as there are, each weighted
 /// at most by the throughput. That a bounce multiplies by at most w rho, w = 2 by uniform bounces and 1 by others. Roulette by
-/// albedo divides by the largest rho, so that w is left; that by throughput leaves 1 at most, or what it was, and in glass that is n^2 outside.
+/// albedo divides by the largest rho, so that w is left; after that by throughput a path carries w at most, or w rho times what it did,
+/// and in glass what is n^2 times as much outside.
 inline std::vector<Reference> references_of(const ClosedScene& scene, const RenderSettings& settings) {
   const double bounce = settings.bounce == "uniform" ? 2 : 1;
   const double weight = settings.roulette == "albedo" ? bounce : std::max(1.0, bounce * scene.whitest());
@@ -64,10 +65,10 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
   for (int k = 0; k < settings.max_depth; ++k) vertices += std::pow(weight, k);
   const Rgb<double> mean = scene.radiance(settings.max_depth);
   const Rgb<double> brightest = scene.brightest();
-  const double glass =
-      settings.roulette == "throughput" ? scene.index * scene.index * (1 + 1e-12) : 1;  // but for rounding
+  const double survivor =
+      settings.roulette == "throughput" ? bounce * scene.index * scene.index * (1 + 1e-12) : 1;  // but for rounding
   const Rgb<double> upper =
-      glass * (brightest + vertices * (shadow_rays * scene.largest_term + bounces * brightest));
+      survivor * (brightest + vertices * (shadow_rays * scene.largest_term + bounces * brightest));
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) references.push_back({mean[c], 0, upper[c]});
   return references;

@@ -10,18 +10,18 @@ namespace fairlight {
 
 /// A path that bounces on one diffuse surface after the other, counts what it carries at each, and has nothing but
 /// roulette to end it: the sum of the powers of the albedo, 1 / (1 - albedo), per channel.
-/// Bound: no bounce weighs more than 1 (the albedo, or with uniform directions 2 albedo z), so after roulette, and
-/// before, no channel carries more than 1, and the sum is at most the number N of vertices. From `first_depth` on a path
-/// goes on with at most the probability q that roulette has in the mean, so N - first_depth - 1 is at most geometric, and
-/// E[(N - K)+] <= q^(K - first_depth - 1) / (1 - q).
+/// Bound: a bounce weighs the albedo or, with uniform directions, 2 albedo z, so no channel carries more than 1, or 2, and the
+/// sum is at most 2 N, with N the number of vertices. From bounce `first` on a path goes on with at most the probability q that
+/// roulette has in the mean, the largest albedo, so N - first is at most geometric, and E[(N - K)+] <= q^(K + 1 - first) / (1 - q).
 template <class Roulette, template <class> class Directions>
-auto roulette_walk(const std::string& name, const std::string& subject, int first_depth) {
+auto roulette_walk(const std::string& name, const std::string& subject, int first = 1,
+                   const Roulette& roulette = Roulette()) {
   const Rgb<double> albedo(0.125, 0.25, 0.05);
   const double q = albedo.maxCoeff();
   constexpr int vertices = 12;
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
-    references.push_back({1 / (1 - albedo[c]), 0, vertices, std::pow(q, vertices - first_depth - 1) / (1 - q)});
+    references.push_back({1 / (1 - albedo[c]), 0, 2 * vertices, 2 * std::pow(q, vertices + 1 - first) / (1 - q)});
   }
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Rgb<Real> reflectance(rounded<Real>(albedo[0]), rounded<Real>(albedo[1]), rounded<Real>(albedo[2]));
@@ -32,7 +32,7 @@ auto roulette_walk(const std::string& name, const std::string& subject, int firs
     for (int depth = 0; any(max_channel(throughput) > Real(0)); ++depth) {
       sum += throughput;
       const auto [alive, weight] =
-          Roulette::template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
+          roulette.template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
       const auto bounce = surface.sample(out, next_pair<Real>(source));
       throughput = select(alive, Rgb<Real>(throughput * bounce.weight * weight), zero<Rgb<Real>>());
     }
@@ -45,6 +45,14 @@ auto roulette_walk(const std::string& name, const std::string& subject, int firs
                     1,
                     references,
                     draw};
+}
+
+/// With the first bounce spared.
+template <template <class> class FromBounce>
+auto later_roulette_walk() {
+  using Later = FromBounce<RouletteByThroughput<>>;
+  return roulette_walk<Later, UniformHemisphere>("roulette.walk.throughput_later", "RouletteFromBounce", 2,
+                                                 Later(2));
 }
 
 /// How many vertices such a path has, which is what it costs: 1 / (1 - q), as it goes on with probability q = 1/4 after each. That

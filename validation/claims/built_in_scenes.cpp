@@ -13,13 +13,20 @@ RenderSettings baseline(const std::string& light_sampling) {
   return settings;
 }
 
+// Paths are short, so it begins at their second bounce.
+void play_by_throughput(RenderSettings& settings) {
+  settings.roulette = "throughput";
+  settings.roulette_depth = 2;
+}
+
 // One luminaire of several, chosen in each of these ways.
 void add_which_light(std::vector<Claim>& claims, const SceneComparison& scene, const std::string& sampling,
                      const std::vector<std::string>& ways) {
   for (const std::string& which : ways) {
     RenderSettings settings = baseline(sampling);
     settings.which_light = which;
-    settings.roulette = which == "power" ? "throughput" : "albedo";
+    settings.roulette = "albedo";
+    if (which == "power") play_by_throughput(settings);
     add_independent_mean(claims, strategies_agree(scene.scene + ".which." + which, {"PathTracer", "DirectLight"},
                                                   scene, settings, baseline(sampling)));
   }
@@ -76,7 +83,7 @@ void add_built_in_scene_claims(std::vector<Claim>& claims) {
   SceneComparison simple{"cornell-simple", 4, 4 * 12.8, 0.4, 10};
   for (const std::string sampling : {"area", "visible"}) {
     RenderSettings settings = baseline(sampling);
-    settings.roulette = "throughput";
+    play_by_throughput(settings);
     add_independent_mean(
         claims, strategies_agree("cornell-simple.sampling." + sampling, {"PathTracer", "DirectLight"}, simple,
                                  baseline("cone"), settings));

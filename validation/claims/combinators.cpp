@@ -11,11 +11,10 @@ namespace {
 void add_roulette(std::vector<Claim>& claims) {
   add_mean(claims, roulette_integral<RussianRoulette>("roulette.integral", 0.3));
   add_mean(claims, roulette_walk<RouletteByReflectance<>, CosineHemisphere>("roulette.walk.reflectance",
-                                                                            "RouletteByReflectance", 0));
+                                                                            "RouletteByReflectance"));
   add_mean(claims, roulette_walk<RouletteByThroughput<>, UniformHemisphere>("roulette.walk.throughput",
-                                                                            "RouletteByThroughput", 0));
-  add_mean(claims, roulette_walk<RouletteByThroughput<1>, UniformHemisphere>("roulette.walk.throughput_later",
-                                                                             "RouletteByThroughput", 1));
+                                                                            "RouletteByThroughput"));
+  add_mean(claims, later_roulette_walk<RouletteFromBounce>());
   add_independent_mean(
       claims, roulette_walk_length<RouletteByReflectance<>>("roulette.walk.length", "RouletteByReflectance"));
   using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByThroughput<>>;

@@ -21,14 +21,17 @@ std::vector<Claim> together(std::vector<Claim> claims, const std::vector<Claim>&
 }
 
 Fault unpaid_throughput() {
-  using Unpaid = RouletteByThroughput<0, faults::UnpaidRoulette>;
-  using UnpaidLater = RouletteByThroughput<1, faults::UnpaidRoulette>;
+  using Unpaid = RouletteByThroughput<faults::UnpaidRoulette>;
   using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, Unpaid>;
   const std::vector<Claim> claims{
-      mean_claim(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "", 0)),
-      mean_claim(roulette_walk<UnpaidLater, UniformHemisphere>("roulette.walk.throughput_later", "", 1)),
+      mean_claim(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "")),
       mean_claim(furnace_radiance<Tracer>("furnace.throughput", {}))};
   return {"roulette-by-throughput-unpaid", "roulette unpaid", "openmc #3511; chunky #1018", claims};
+}
+
+Fault spared_paid() {
+  return {"roulette-spared-paid", "roulette unpaid", "none: a slip of the mask",
+          both(later_roulette_walk<faults::SparedPaid>())};
 }
 
 Fault weights_on_one_side() {
@@ -77,7 +80,7 @@ Fault densities_swapped() {
 
 Fault paid_by_mean() {
   return {"roulette-paid-by-mean", "luminaire probability", "ospray #552",
-          both(roulette_walk<faults::RoulettePaidByMean, CosineHemisphere>("roulette.walk.reflectance", "", 0))};
+          both(roulette_walk<faults::RoulettePaidByMean, CosineHemisphere>("roulette.walk.reflectance", ""))};
 }
 
 Fault number_reused() {
@@ -92,9 +95,10 @@ Fault plain_sum() {
 }  // namespace
 
 std::vector<Fault> combinator_faults() {
-  return {unpaid_throughput(), weights_on_one_side(), counts_ignored(),   selection_unpaid(),
-          wrong_sign(),        factor_forgotten(),    unpaid_splitting(), half_jitter(),
-          densities_swapped(), paid_by_mean(),        number_reused(),    plain_sum()};
+  return {unpaid_throughput(), spared_paid(),       weights_on_one_side(), counts_ignored(),
+          selection_unpaid(),  wrong_sign(),        factor_forgotten(),    unpaid_splitting(),
+          half_jitter(),       densities_swapped(), paid_by_mean(),        number_reused(),
+          plain_sum()};
 }
 
 }  // namespace fairlight

@@ -106,6 +106,19 @@ struct RoulettePaidByMean {
   }
 };
 
+/// Bounces that are spared are paid for all the same.
+template <class Roulette>
+struct SparedPaid : RouletteFromBounce<Roulette> {
+  using RouletteFromBounce<Roulette>::RouletteFromBounce;
+
+  template <class Real, class Source>
+  Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real& depth,
+                      Source& source) const {
+    const Mask<Real> alive = RouletteFromBounce<Roulette>::play(albedo, throughput, depth, source).alive;
+    return {alive, Real(1) / max_channel(Rgb<Real>(throughput * albedo))};
+  }
+};
+
 /// A probability above 1, cut to 0.95: nobody is ever saved work. On record: practical-path-guiding #3.
 struct RouletteAtItsCap {
   template <class Real, class Source>
