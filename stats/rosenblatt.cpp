@@ -65,19 +65,21 @@ const Nodes& slab_nodes() {
   return nodes;
 }
 
-// All moments of one place, in the order of test_rosenblatt's channels.
-void moments_of(const Eigen::Vector2d& place, std::size_t i, std::vector<std::vector<double>>& channels) {
+constexpr std::size_t moment_count = order + order + order * order;
+
+// All moments of one place: across, along, and their products.
+std::array<double, moment_count> moments_of(const Eigen::Vector2d& place) {
   const auto waves = [](double x) {  // of cos(a): cos(2a) and cos(3a) by Chebyshev's polynomials
     const double c = std::cos(std::numbers::pi * x), root = std::numbers::sqrt2;
     return std::array<double, order>{root * c, root * (2 * c * c - 1), root * c * (4 * c * c - 3)};
   };
   const auto across = waves(place.x()), along = waves(place.y());
-  std::size_t channel = 0;
-  for (double a : across) channels[channel++][i] = a;
-  for (double b : along) channels[channel++][i] = b;
+  std::array<double, moment_count> moments;
+  auto next = std::copy(along.begin(), along.end(), std::copy(across.begin(), across.end(), moments.begin()));
   for (double a : across) {
-    for (double b : along) channels[channel++][i] = a * b;
+    for (double b : along) *next++ = a * b;
   }
+  return moments;
 }
 
 }  // namespace
@@ -141,8 +143,8 @@ Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
 }
 
 Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
-                        const std::function<Eigen::Vector2d(std::uint64_t)>& draw) {
-  constexpr std::size_t waves = order + order + order * order;
+                        const std::function<Eigen::Vector2d(std::uint64_t)>& draw, std::uint32_t replicate) {
+  if (replicate == 0) throw std::invalid_argument("a replicate must have a draw (give 1 for independent ones)");
   std::optional<Rosenblatt> transform;
   try {
     transform.emplace(density);
@@ -152,14 +154,23 @@ Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
   // The largest of the waves is 2. The quadrature's 1e-6, and the cubic's, may bias them: a transform that is off by that moves
   // the third wave by 3 pi sqrt2 times as much.
   const Reference wave{.mean = 0, .lower = -2.00001, .upper = 2.00001, .scale = 1, .rounding = 1.4e-5};
-  const std::vector<Reference> references(waves, wave);
-  return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-    for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      const Eigen::Vector2d place = draw(first + i);
-      check_place(first + i, place);
-      moments_of((*transform)(place.x(), place.y()), i, channels);
-    }
-  });
+  const std::vector<Reference> references(moment_count, wave);
+  const auto add = [&](std::uint64_t i, std::array<double, moment_count>& sums) {
+    const Eigen::Vector2d place = draw(i);
+    check_place(i, place);
+    const auto moments = moments_of((*transform)(place.x(), place.y()));
+    for (std::size_t c = 0; c < moment_count; ++c) sums[c] += moments[c];
+  };
+  Finding finding =
+      test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+        for (std::size_t i = 0; i < channels[0].size(); ++i) {
+          std::array<double, moment_count> sums{};
+          for (std::uint64_t k = 0; k < replicate; ++k) add((first + i) * replicate + k, sums);
+          for (std::size_t c = 0; c < moment_count; ++c) channels[c][i] = sums[c] / replicate;
+        }
+      });
+  finding.draws *= replicate;
+  return finding;
 }
 
 }  // namespace fairlight

@@ -51,9 +51,10 @@ class Rosenblatt {
 /// The law of a sampler by bounded moments, exactly: of the Rosenblatt transform (u, v) of its draws, the cosines
 /// sqrt2 cos(j pi u), sqrt2 cos(k pi v) and 2 cos(j pi u) cos(k pi v) for j, k up to 3 all have mean 0. They are
 /// orthonormal, so a mean of a is a part of that L2 distance between the laws, and the margin is an L2 distance.
-/// `draw(i)` gives the coordinates (s, t) of draw i. Guarantee: exact, up to the quadrature (1e-6). What it cannot
+/// `draw(i)` gives the coordinates (s, t) of draw i. Draws may depend on each other within replicates of so many of them, as points of a
+/// set do, where each has the law: the means of replicates are tested. Throws std::invalid_argument for one of none. Guarantee: exact, up to the quadrature (1e-6). What it cannot
 /// see: a law that differs only in finer waves.
 Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
-                        const std::function<Eigen::Vector2d(std::uint64_t)>& draw);
+                        const std::function<Eigen::Vector2d(std::uint64_t)>& draw, std::uint32_t replicate = 1);
 
 }  // namespace fairlight

@@ -12,9 +12,7 @@
 
 #include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/point_set.h>
-#include <fairlight/stats/law_test.h>
 #include <fairlight/stats/mean_test.h>
-#include <fairlight/stats/rosenblatt.h>
 #include <fairlight/validation/claim.h>
 #include <fairlight/validation/recording.h>
 
@@ -216,72 +214,6 @@ Finding check_constant(const Trial& trial, double reference, int ulps, const Dra
     }
   }
   return finding;
-}
-
-/// The draws of a sampler one by one, in order, though they are made a packet at a time.
-template <Sampler Law>
-class Draws {
- public:
-  using Real = typename Law::Scalar;
-
-  Draws(const Law& law, const StreamKey& key) : law_(law), key_(key) {}
-
-  /// Draw i, in double; and the density that the law gives it.
-  auto point(std::uint64_t i) { return detail::lane_of(packet(i).point, i % lanes<Real>); }
-  double density(std::uint64_t i) { return detail::lane_of(law_.pdf(packet(i).point).value(), i % lanes<Real>); }
-
- private:
-  struct Made {
-    std::uint64_t number;
-    typename Law::Point point;
-  };
-
-  const Made& packet(std::uint64_t i) {
-    if (made_.empty() || made_[0].number != i / lanes<Real>) {
-      PhiloxStream<Real> source(key_, 0, i - i % lanes<Real>);
-      made_.assign(1, {i / lanes<Real>, law_.sample(next_pair<Real>(source))});
-    }
-    return made_[0];
-  }
-
-  Law law_;
-  StreamKey key_;
-  std::vector<Made> made_;
-};
-
-/// A sampler's draws follow its density, which integrates to one over the domain.
-template <Sampler Law, class Domain>
-Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
-  Draws<Law> draws(law, StreamKey(trial.seed, trial.claim));
-  return test_law(
-      trial, domain, [&](const typename Law::Point& x) { return law.pdf(x).value(); },
-      [&](std::uint64_t i) { return typename Law::Point(draws.point(i)); });
-}
-
-/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact,
-/// and blind to fine waves.
-template <Sampler Drawn, Sampler Law, class Domain>
-Finding check_law_moments(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain) {
-  Draws<Drawn> draws(drawn, StreamKey(trial.seed, trial.claim));
-  return test_rosenblatt(
-      trial, [&](double s, double t) { return law.pdf(domain.at(s, t)).value() * domain.size(); },
-      [&](std::uint64_t i) { return domain.coordinates(draws.point(i)); });
-}
-
-/// Two arithmetics give the draws of the first the same density: the ratio has the mean 1, and is nowhere above 2.
-template <Sampler Drawn, Sampler Law>
-Finding check_density(const Trial& trial, const Drawn& drawn, const Law& law) {
-  Draws<Drawn> draws(drawn, StreamKey(trial.seed, trial.claim));
-  const Reference reference{.mean = 1,
-                            .lower = 0,
-                            .upper = 2,
-                            .sides = Sides::both,
-                            .rounding = arithmetic_rounding<typename Drawn::Scalar>};
-  return test_means(trial, {reference}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-    for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      channels[0][i] = draws.density(first + i) / law.pdf(typename Law::Point(draws.point(first + i))).value();
-    }
-  });
 }
 
 }  // namespace fairlight

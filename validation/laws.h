@@ -7,6 +7,7 @@
 #include <fairlight/stats/domains.h>
 #include <fairlight/stats/quadrature.h>
 #include <fairlight/validation/experiment.h>
+#include <fairlight/validation/law_checks.h>
 
 namespace fairlight {
 
@@ -18,7 +19,8 @@ struct LawExperiment {
   std::string name, subject, source;
   Make make;
   Domain domain;
-  double law_margin = 5;  ///< of the chi-square row, in units of the run's: more where draws are dear
+  double law_margin = 5;    ///< of the chi-square row, in units of the run's: more where draws are dear
+  bool of_numbers = false;  ///< whether it is the numbers themselves that are drawn, for which no others stand in
 
   template <class Real>
   auto law() const {
@@ -27,7 +29,8 @@ struct LawExperiment {
 };
 
 template <class Make, class Domain>
-LawExperiment(std::string, std::string, std::string, Make, Domain, double = 5) -> LawExperiment<Make, Domain>;
+LawExperiment(std::string, std::string, std::string, Make, Domain, double = 5, bool = false)
+    -> LawExperiment<Make, Domain>;
 
 /// By chi-square. The margin is a relative L2 distance of laws, five times that of a mean or as the experiment says.
 template <class Make, class Domain>
@@ -53,7 +56,10 @@ Claim law_moments_claim(const LawExperiment<Make, Domain>& e) {
           .margin_factor = 10,
           .check =
               [e](const Trial& trial) {
-                return check_law_moments(trial, e.template law<Real>(), e.template law<double>(), e.domain);
+                const auto drawn = e.template law<Real>();
+                const auto law = e.template law<double>();
+                return e.of_numbers ? check_law_moments(trial, drawn, law, e.domain)
+                                    : check_law_moments_over_points(trial, drawn, law, e.domain);
               },
           .real = real_name<Real>()};
 }

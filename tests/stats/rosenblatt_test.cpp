@@ -60,6 +60,20 @@ TEST(RosenblattTest, CertifiesTheLawAndFindsAnother) {
   EXPECT_EQ(test_rosenblatt(trial, ramp, right).token, "0000000000000001");
 }
 
+// Of a place and its mirror image each has the uniform law.
+TEST(RosenblattTest, TakesTheMeansOfReplicates) {
+  const auto flat = [](double, double) { return 1.0; };
+  const auto pair = [](std::uint64_t i) -> Eigen::Vector2d {
+    return i % 2 == 0 ? lattice(i / 2) : Eigen::Vector2d(1, 1) - lattice(i / 2);
+  };
+  const auto crowded = [&](std::uint64_t i) { return Eigen::Vector2d(std::pow(pair(i).x(), 0.8), pair(i).y()); };
+  const Finding found = test_rosenblatt(trial, flat, pair, 2);
+  EXPECT_EQ(found.verdict, Verdict::certified);
+  EXPECT_EQ(found.draws % 2, 0);
+  EXPECT_EQ(test_rosenblatt(trial, flat, crowded, 2).verdict, Verdict::biased);
+  EXPECT_THROW(test_rosenblatt(trial, flat, pair, 0), std::invalid_argument);
+}
+
 TEST(RosenblattTest, RefutesWhatIsNoDensityAndNoPoint) {
   const auto middle = [](std::uint64_t) { return Eigen::Vector2d(0.5, 0.5); };
   const auto too_much = [](double, double) { return 1.1; };

@@ -7,7 +7,7 @@
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/stats/domains.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/law_checks.h>
 
 // Each check must be able to fail: it is shown estimators that are wrong without chance.
 namespace fairlight {
@@ -197,6 +197,31 @@ TEST(CheckLaw, FindsADrawWhereTheDensityIsZero) {
 
 TEST(CheckLaw, FindsDrawsOfAnotherLaw) {
   EXPECT_EQ(check_law(trial, Swapped{}, HemisphereDomain{}).verdict, Verdict::biased);
+}
+
+TEST(CheckLawMoments, SeeTheSameOverPointsInAFractionOfTheDraws) {
+  Trial fine = trial;
+  fine.margin = 0.005;
+  const HemisphereDomain domain;
+  const CosineHemisphere<double> cosine;
+  const Finding packets = check_law_moments_over_points(fine, CosineHemisphere<Packet>{}, cosine, domain);
+  const Finding points = check_law_moments_over_points(fine, cosine, cosine, domain);
+  const Finding independent = check_law_moments(fine, cosine, cosine, domain);
+  for (const Finding& each : {packets, points, independent}) EXPECT_EQ(each.verdict, Verdict::certified);
+  EXPECT_LT(2 * points.draws, independent.draws);
+  EXPECT_EQ(check_law_moments_over_points(fine, Swapped{}, Swapped{}, domain).verdict, Verdict::biased);
+}
+
+// A replicate has all points of the set once, and the next one others.
+TEST(NumbersOfPoints, AreOneReplicateAfterTheOther) {
+  const StreamKey key(1, "points");
+  const auto numbers = numbers_of_points<double>(key, 4);
+  const auto first_number = [&](std::uint64_t i) { return numbers(i).next(); };
+  std::array<bool, 4> quarters{};
+  for (std::uint64_t i = 0; i < 4; ++i) quarters[static_cast<std::size_t>(4 * first_number(i))] = true;
+  EXPECT_EQ(quarters, (std::array{true, true, true, true}));
+  EXPECT_NE(first_number(0), first_number(4));
+  EXPECT_THROW(numbers(std::uint64_t{1} << 34), NoMoreDraws);
 }
 
 // Uniform on [0,1) x [0,1), of which it says that a part has another density.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fairlight/stats/law_test.h>
+#include <fairlight/stats/rosenblatt.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/validation/experiment.h>
 #include <fairlight/validation/variances.h>

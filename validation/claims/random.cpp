@@ -30,7 +30,7 @@ void add_padded_set(std::vector<Claim>& claims, const PointSetKind<Set>& kind, s
 void add_random_claims(std::vector<Claim>& claims) {
   add_law(claims, LawExperiment{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
                                 []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
-                                SquareDomain{0, 1}});
+                                SquareDomain{0, 1}, 5, true});
   claims.push_back(streams_uncorrelated_claim());
   claims.push_back(mean_claim<double>(product_integral()));
   claims.push_back(mean_claim<Packet>(product_integral()));

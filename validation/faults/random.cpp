@@ -56,9 +56,13 @@ Fault same_order() {
 }
 
 Fault coarse_numbers() {
-  const LawExperiment stream{"stream.philox", "", "",
+  const LawExperiment stream{"stream.philox",
+                             "",
+                             "",
                              []<class Real>(std::type_identity<Real>) { return faults::CoarseNumbers<Real>{}; },
-                             SquareDomain{0, 1}};
+                             SquareDomain{0, 1},
+                             5,
+                             true};
   return {.name = "numbers-of-16-bits",
           .kind = "streams",
           .source = "none: a random number made from 16 bits",
