@@ -1,131 +1,27 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include <fairlight/estimators/sobol.h>
-#include <fairlight/stats/evidence.h>
-#include <fairlight/stats/text.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/packet_parts.h>
 
 namespace fairlight {
 
-namespace detail {
-
-/// Throws BadDraw where a draw is out of the range that its reference declares.
-inline void require_in_range(std::uint64_t draw, double value, const Reference& reference) {
-  if (!std::isfinite(value)) throw BadDraw(draw, value, "in double, not a finite number");
-  if (value < reference.lower) throw BadDraw(draw, value, "in double, below its declared lower bound");
-  if (value > reference.upper && reference.tail_slack == 0)
-    throw BadDraw(draw, value, "in double, above its declared upper bound");
-}
-
-}  // namespace detail
-
-/// What draws in double, of these references, have more than those in packets, lane by lane from the same numbers:
-/// `draw(type_identity<Real>, source)`. Where there is a tail, what is above the bound does not count. Throws BadDraw for a draw in
-/// double that is out of its range.
-template <class Draw>
-DrawBlock less_packets(const StreamKey& key, const std::vector<Reference>& references, const Draw& draw) {
-  return draws_at_once<Packet>(references.size(), [key, references, draw](std::uint64_t first, const auto& places) {
-    Recording recording(key, first);
-    StreamNumbers<Packet> numbers(recording);
-    const auto floats = draw(std::type_identity<Packet>{}, numbers);
-    for (std::size_t c = 0; c < places.size(); ++c) store_lanes(detail::channel_of(floats, c), places[c]);
-    for (std::size_t i = 0; i < lanes<Packet>; ++i) {
-      StreamNumbers<double> finer_numbers(key, recording, i);
-      const auto doubles = draw(std::type_identity<double>{}, finer_numbers);
-      for (std::size_t c = 0; c < places.size(); ++c) {
-        const double in_double = detail::channel_of(doubles, c);
-        detail::require_in_range(first + i, in_double, references[c]);
-        const double most = references[c].tail_slack > 0 ? references[c].upper : infinity<double>;
-        places[c][i] = std::min(in_double, most) - std::min(places[c][i], most);
-      }
-    }
-  });
-}
-
-namespace detail {
-
-/// The shares of the margin: of the mean in packets, and of the difference. What the latter has of a margin of 1e-4 is four times the
-/// rounding of floats, the least that a test by betting takes. A thousandth is left for tails.
-inline constexpr double share_of_packets = 0.79, share_of_difference = 0.209;
-
-/// The most that a tail may hide of a margin: the thousandth, at a margin 45 times as fine, which is the finest that a run leaves evidence for.
-inline constexpr double most_in_tail = 2e-5;
-
-/// References to which the trial's margin is a share of what it was, and a bias so much more.
-inline std::vector<Reference> with_share(std::vector<Reference> references, double share) {
-  for (Reference& r : references) {
-    r.scale *= share;
-    r.rounding /= share;
-  }
-  return references;
-}
-
-/// Of the difference of a draw in double from one in packets, where both have these references.
-inline std::vector<Reference> of_difference(const std::vector<Reference>& references) {
-  const std::vector<Reference> packets = rounded_references<Packet>(references);
-  std::vector<Reference> differences;
-  for (std::size_t c = 0; c < references.size(); ++c) {
-    const Reference &r = references[c], &p = packets[c];
-    differences.push_back({.mean = 0,
-                           .lower = r.lower - p.upper,
-                           .upper = r.upper - p.lower,
-                           .scale = r.scale,
-                           .rounding = arithmetic_rounding<Packet> + r.tail_slack / r.scale});
-  }
-  return with_share(differences, share_of_difference);
-}
-
-inline double log_of_mean(double log_a, double log_b) {
-  const double top = std::max(log_a, log_b);
-  return std::isinf(top) ? top : top + std::log((std::exp(log_a - top) + std::exp(log_b - top)) / 2);
-}
-
-/// What two parts say of the whole. A whole that is off by its margin has a part that is off by its share, so the less wealth of
-/// the two is held against that; both parts are right where the whole is claimed to be, so the mean is held against the claim.
-inline Wealth joint(const Wealth& a, const Wealth& b) {
-  return {log_of_mean(a.too_bright, b.too_bright), log_of_mean(a.too_dark, b.too_dark),
-          std::min(a.not_brighter, b.not_brighter), std::min(a.not_darker, b.not_darker)};
-}
-
-inline Ladder joint(Ladder a, const Ladder& b) {
-  for (std::size_t c = 0; c < a.channels.size(); ++c) {
-    for (std::size_t r = 0; r < a.channels[c].size(); ++r) {
-      a.channels[c][r] = joint(a.channels[c][r], b.channels.empty() ? Wealth{} : b.channels[c][r]);
-    }
-  }
-  return a;
-}
-
-/// Which part it is that has no certificate, and what is noted there.
-inline std::string note_on(const std::string& part, const std::string& note) {
-  return note.empty() ? part : formatted("%s: %s", part.c_str(), note.c_str());
-}
-
-/// What two parts found of a channel, of the whole.
-inline Finding sum_of(const Trial& trial, const Finding& packets, const Finding& difference) {
-  const double p = share_of_packets, d = share_of_difference;
-  Finding sum = packets;
-  sum.verdict = worse(packets.verdict, difference.verdict);
-  sum.margin = trial.margin;
-  sum.bias = p * packets.bias + d * difference.bias;
-  sum.interval = {p * packets.interval.lo + d * difference.interval.lo,
-                  p * packets.interval.hi + d * difference.interval.hi};
-  sum.draws += difference.draws;
-  sum.rounding = p * packets.rounding + d * difference.rounding;
-  if (difference.verdict != Verdict::certified)
-    sum.note = note_on("less its draws in packets of floats", difference.note);
-  return sum;
-}
-
-}  // namespace detail
-
 /// What packets draw with that a mean in double is seen along.
 enum class PacketNumbers { independent, points };
+
+/// That, and the packets' share of the margin. What is left of a margin of 1e-4 by the largest share is four times the rounding of
+/// floats, the least that a test by betting takes; where paths in floats part from those in double, the difference needs more.
+struct PacketPlan {
+  static constexpr std::array shares{0.79, 0.6, 0.4};
+
+  PacketNumbers numbers = PacketNumbers::independent;
+  double share = shares.front();
+};
 
 /// The mean of `draw(type_identity<Real>, source)` in double, most of it seen in packets: E[double] = E[packet] + E[double - packet].
 /// Packets draw some ten times as fast, and along the same numbers the difference is next to nothing, so that few draws show its
@@ -136,65 +32,90 @@ template <class Draw>
 class AlongPackets {
  public:
   AlongPackets(const Trial& trial, const std::vector<Reference>& references, const Draw& draw)
-      : trial_(trial),
-        draw_(draw),
-        references_(references),
-        points_(points_for(references)),
-        packets_(detail::with_share(replicate_references(rounded_references<Packet>(references), points_),
-                                    detail::share_of_packets)),
-        differences_(detail::of_difference(references)) {}
+      : trial_(trial), draw_(draw), references_(references), points_(points_for(references)) {}
 
-  /// By which numbers it takes less time than double alone, as pilots foresee, if by any: not where the range is so wide that it alone
+  /// How it takes the least time, and less than double alone, as pilots foresee, if at all: not where the range is so wide that it alone
   /// says how many draws there must be. A packet is taken to cost what a draw in double does, and twice as much where it has
   /// points. A pilot that is out of its range is left to double.
-  std::optional<PacketNumbers> pays() const try {
-    if (!fits()) return std::nullopt;
-    const auto draws = pilot(1024, packet_draws(PacketNumbers::independent, " pilot"));
-    const double alone = expected_draws(trial_, rounded_references<Packet>(references_), draws);
-    const double independent = expected_draws(trial_, packets_, draws) / lanes<Packet>;
-    const double points =
-        expected_draws(trial_, packets_, pilot(64, packet_draws(PacketNumbers::points, " pilot"))) * 2 * points_ /
-        lanes<Packet>;
-    const double in_packets = std::min(independent, points);
-    if (in_packets > alone) return std::nullopt;
-    const auto differences = pilot(512, difference_draws(" pilot"));
-    const double of_differences = (1 + 1.0 / lanes<Packet>)*expected_draws(trial_, differences_, differences);
-    if (in_packets + of_differences > alone) return std::nullopt;
-    return points < independent ? PacketNumbers::points : PacketNumbers::independent;
+  std::optional<PacketPlan> pays() const try {
+    if (!fits(PacketPlan::shares.front())) return std::nullopt;
+    const Channels independent = pilot(1024, packet_draws(PacketNumbers::independent, " pilot"));
+    const Channels points = pilot(64, packet_draws(PacketNumbers::points, " pilot"));
+    double least = expected_draws(trial_, rounded_references<Packet>(references_), independent);
+    if (in_packets(PacketPlan::shares.front(), independent, points).cost > least) return std::nullopt;
+    const double most_differences = std::clamp(least / 1000, 512.0, 16384.0);  // rare ones may say most
+    const Channels differences = pilot(static_cast<std::size_t>(most_differences), difference_draws(" pilot"));
+    std::optional<PacketPlan> plan;
+    for (const double share : PacketPlan::shares) {
+      if (!fits(share)) continue;
+      const auto [numbers, cost] = in_packets(share, independent, points);
+      const double whole =
+          cost + (1 + 1.0 / lanes<Packet>)*expected_draws(trial_, difference_references(share), differences);
+      if (whole > least) continue;
+      least = whole;
+      plan = PacketPlan{numbers, share};
+    }
+    return plan;
   } catch (const BadDraw&) {
     return std::nullopt;
   }
 
   /// Where the packets fail, the figures are theirs, as the difference is then not drawn, and the note says so. Throws what test_means
   /// does.
-  Finding finding(PacketNumbers numbers) const {
+  Finding finding(const PacketPlan& plan) const {
+    const bool over_points = plan.numbers == PacketNumbers::points;
     Evidence of_packets, of_difference;
-    std::vector<Finding> packets = test_each_mean(part(0, of_packets), packets_, packet_draws(numbers, ""));
-    if (numbers == PacketNumbers::points) {
+    std::vector<Finding> packets =
+        test_each_mean(part(0, of_packets), packet_references(plan.share), packet_draws(plan.numbers, ""));
+    if (over_points) {
       for (Finding& each : packets) each.draws *= points_;
     }
     const bool go_on = worst_of(packets).verdict == Verdict::certified;
     std::vector<Finding> differences(packets.size(), Finding{.verdict = Verdict::certified});
-    if (go_on) differences = test_each_mean(part(1, of_difference), differences_, difference_draws(""));
+    if (go_on)
+      differences = test_each_mean(part(1, of_difference), difference_references(plan.share), difference_draws(""));
     leave(of_packets, of_difference);
     std::vector<Finding> sums;
     for (std::size_t c = 0; c < packets.size(); ++c) {
-      sums.push_back(detail::sum_of(trial_, packets[c], differences[c]));
+      sums.push_back(detail::sum_of(trial_, packets[c], differences[c], plan.share));
     }
     Finding whole = worst_of(sums);
-    const char* seen = numbers == PacketNumbers::points
-                           ? "seen in packets of floats over Sobol' points, which it is drawn along"
-                           : "seen in packets of floats, which it is drawn along";
+    const char* seen = over_points ? "seen in packets of floats over Sobol' points, which it is drawn along"
+                                   : "seen in packets of floats, which it is drawn along";
     if (!go_on) whole.note = detail::note_on(seen, whole.note);
     return whole;
   }
 
  private:
+  using Channels = std::vector<std::vector<double>>;
+
+  std::vector<Reference> packet_references(double share) const {
+    return detail::with_share(replicate_references(rounded_references<Packet>(references_), points_), share);
+  }
+  std::vector<Reference> difference_references(double share) const {
+    return detail::of_difference(references_, share);
+  }
+
+  struct Choice {
+    PacketNumbers numbers;
+    double cost;  ///< in draws in double
+  };
+
+  // With which numbers the packets' mean takes less time.
+  Choice in_packets(double share, const Channels& independent, const Channels& points) const {
+    const std::vector<Reference> references = packet_references(share);
+    const double one_by_one = expected_draws(trial_, references, independent) / lanes<Packet>;
+    const double in_sets = expected_draws(trial_, references, points) * 2 * points_ / lanes<Packet>;
+    return in_sets < one_by_one ? Choice{PacketNumbers::points, in_sets}
+                                : Choice{PacketNumbers::independent, one_by_one};
+  }
+
   // Whether both parts can be tested to their shares of the margin.
-  bool fits() const {
+  bool fits(double share) const {
+    const std::vector<Reference> packets = packet_references(share), differences = difference_references(share);
     for (std::size_t c = 0; c < references_.size(); ++c) {
       const Reference& r = references_[c];
-      const double rounding = std::max(packets_[c].rounding, differences_[c].rounding);
+      const double rounding = std::max(packets[c].rounding, differences[c].rounding);
       if (r.sides != Sides::both || r.tail_slack > detail::most_in_tail * trial_.margin * r.scale ||
           rounding > trial_.margin / 4)
         return false;
@@ -211,8 +132,8 @@ class AlongPackets {
     return part;
   }
 
-  std::vector<std::vector<double>> pilot(std::size_t draws, const DrawBlock& draw_block) const {
-    std::vector channels(references_.size(), std::vector<double>(draws));
+  Channels pilot(std::size_t draws, const DrawBlock& draw_block) const {
+    Channels channels(references_.size(), std::vector<double>(draws));
     draw_block(0, channels);
     return channels;
   }
@@ -243,7 +164,6 @@ class AlongPackets {
   Draw draw_;
   std::vector<Reference> references_;
   std::uint32_t points_;  ///< of a replicate
-  std::vector<Reference> packets_, differences_;
 };
 
 /// The mean of an estimator in double: along its draws in packets where that is faster, and nobody listens, who is to hear draws in
@@ -253,7 +173,7 @@ Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& r
   const bool heard = trial.evidence != nullptr && trial.evidence->listener;
   if (!heard) {
     const AlongPackets<Draw> along(trial, references, draw);
-    if (const auto numbers = along.pays()) return along.finding(*numbers);
+    if (const auto plan = along.pays()) return along.finding(*plan);
   }
   return check_mean<double>(trial, references,
                             [&](auto& source) { return draw(std::type_identity<double>{}, source); });

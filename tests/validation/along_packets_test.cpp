@@ -28,17 +28,17 @@ Finding found_steady(double packets_bias, double double_bias, PacketNumbers numb
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     return Real(rounded<Real>(2 * (1 + (lanes<Real> > 1 ? packets_bias : double_bias))) + Real(0) * source.next());
   };
-  return AlongPackets(trial, two, draw).finding(numbers);
+  return AlongPackets(trial, two, draw).finding({numbers});
 }
 
 template <class Draw>
 Finding found_independently(const Trial& t, const std::vector<Reference>& references, const Draw& draw) {
-  return AlongPackets(t, references, draw).finding(PacketNumbers::independent);
+  return AlongPackets(t, references, draw).finding({});
 }
 
 TEST(AlongPackets, CertifiesTheMeanInDouble) {
   for (const PacketNumbers numbers : both_numbers) {
-    const Finding finding = AlongPackets(trial, two, ramp(0, 0)).finding(numbers);
+    const Finding finding = AlongPackets(trial, two, ramp(0, 0)).finding({numbers});
     EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
     EXPECT_EQ(finding.guarantee, Guarantee::exact);
     EXPECT_EQ(finding.margin, trial.margin);
@@ -114,10 +114,26 @@ TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
 
 TEST(AlongPackets, TakesPointsWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   const auto numbers = [](double margin) {
-    return AlongPackets(Trial{"along_packets_test", 1, 1e-6, 0.01, margin}, two, ramp(0, 0)).pays();
+    return AlongPackets(Trial{"along_packets_test", 1, 1e-6, 0.01, margin}, two, ramp(0, 0)).pays()->numbers;
   };
   EXPECT_EQ(numbers(1e-3), PacketNumbers::points);
   EXPECT_EQ(numbers(4e-3), PacketNumbers::independent);
+}
+
+// One path in so many parts from the double's, by half of the mean, either way.
+TEST(AlongPackets, LeavesMoreToDifferencesWhereTheyAreDear) {
+  const auto share = [](double parted) {
+    const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+      const Real u = source.next();
+      const Real way = select(u < rounded<Real>(parted / 2), Real(1), Real(-1));
+      const Real apart = select(u < rounded<Real>(parted), way, Real(0));
+      return Real(Real(2) * source.next() + Real(1) + (lanes<Real> > 1 ? Real(0) : apart));
+    };
+    const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 1e-3};
+    return AlongPackets(fine, {{2, -4, 8}}, draw).pays()->share;
+  };
+  EXPECT_EQ(share(0), PacketPlan::shares.front());
+  EXPECT_LT(share(0.05), PacketPlan::shares.front());
 }
 
 // Beyond its bound a draw is not the difference's matter, which else would have none.

@@ -74,17 +74,17 @@ TestKind difference() {
 }
 
 // In double, along packets: each part has as much of the bias as of the margin.
-TestKind along(const std::string& name, PacketNumbers numbers) {
+TestKind along(const std::string& name, const PacketPlan& plan) {
   return {name, false, [=](const Trial& trial, double bias) {
-            const auto draw = [bias]<class Real>(std::type_identity<Real>, auto& source) {
-              const double share = lanes<Real> > 1 ? detail::share_of_packets : 1;
+            const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+              const double share = lanes<Real> > 1 ? plan.share : 1;
               return Real(rounded<Real>(2 * (1 + share * bias)) * source.next());
             };
-            return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding(numbers);
+            return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding(plan);
           }};
 }
-TestKind along_packets() { return along("betting.along_packets", PacketNumbers::independent); }
-TestKind along_points() { return along("betting.along_points", PacketNumbers::points); }
+TestKind along_packets() { return along("betting.along_packets", {PacketNumbers::independent, 0.79}); }
+TestKind along_points() { return along("betting.along_points", {PacketNumbers::points, 0.4}); }
 
 TestKind student() {
   return {"t.exponential", false, [](const Trial& trial, double bias) {
