@@ -21,19 +21,10 @@ template <class Real>
 class RectangleView {
  public:
   RectangleView(Real x0, Real x1, Real y0, Real y1, Real width, Real height)
-      : x0_(x0), x1_(x1), y0_(y0), y1_(y1), width_(width), height_(height) {}
+      : x0_(x0), x1_(x1), y0_(y0), y1_(y1), width_(width), height_(height), half_(half_solid_angle()) {}
 
   /// [sr]
-  Real solid_angle() const {
-    using std::abs;
-    const Real first = abs(x0_), second = abs(x1_);
-    const Mask<Real> straddles = x0_ < Real(0) && x1_ > Real(0);
-    const Real near = select(first < second, first, second);
-    const Real far = select(first < second, second, first);
-    const Real one_side = half_between(near, far, width_);
-    const Real both_sides = half_between(Real(0), near, near) + half_between(Real(0), far, far);
-    return Real(2) * select(straddles, both_sides, one_side);
-  }
+  Real solid_angle() const { return Real(2) * half_; }
 
   /// The point (x, y) of a point of the unit square.
   Vec2<Real> at(const Vec2<Real>& u) const {
@@ -42,6 +33,17 @@ class RectangleView {
   }
 
  private:
+  Real half_solid_angle() const {
+    using std::abs;
+    const Real first = abs(x0_), second = abs(x1_);
+    const Mask<Real> straddles = x0_ < Real(0) && x1_ > Real(0);
+    const Real near = select(first < second, first, second);
+    const Real far = select(first < second, second, first);
+    const Real one_side = half_between(near, far, width_);
+    const Real both_sides = half_between(Real(0), near, near) + half_between(Real(0), far, far);
+    return select(straddles, both_sides, one_side);
+  }
+
   // sqrt((q + a^2)(q + b^2)) + a b, which is positive, without cancellation.
   static Real root_plus_product(Real q, Real a, Real b) {
     using std::abs;
@@ -64,12 +66,11 @@ class RectangleView {
     return {r0, r1, x * (r0 + r1) + q + root_plus_product(q, y0_, y1_)};
   }
 
-  // Half the solid angle of [x, inf) x [y0, y1].
-  Real half_beyond(Real x) const {
+  // Half the solid angle of [x, inf) x [y0, y1], and `quarter` that of [0, inf).
+  Real half_beyond(Real x, Real quarter) const {
     using std::abs;
     using std::atan;
     const Real half = atan(Real(height_ / beyond(Real(abs(x))).below));
-    const Real quarter = atan(Real(height_ / beyond(Real(0)).below));
     return select(x < Real(0), Real(Real(2) * quarter - half), half);
   }
 
@@ -86,12 +87,13 @@ class RectangleView {
   }
 
   Real across(Real u) const {
+    using std::atan;
     using std::cos;
     using std::sin;
     using std::sqrt;
-    const Real half = solid_angle() / Real(2);
-    const Real above = half_beyond(x1_) + (Real(1) - u) * half;
-    const Real below = half_beyond(Real(-x0_)) + u * half;
+    const Real quarter = atan(Real(height_ / beyond(Real(0)).below));
+    const Real above = half_beyond(x1_, quarter) + (Real(1) - u) * half_;
+    const Real below = half_beyond(Real(-x0_), quarter) + u * half_;
     const Real s = select(above < below, above, below);
     const Real a = sin(s), c = cos(s), m = Real(1) + y0_ * y1_;
     const Real numerator = height_ * (c - a) * (c + a) - Real(2) * m * a * c;
@@ -118,6 +120,7 @@ class RectangleView {
   }
 
   Real x0_, x1_, y0_, y1_, width_, height_;
+  Real half_;  ///< the solid angle [sr]
 };
 
 }  // namespace fairlight

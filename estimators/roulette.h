@@ -91,8 +91,8 @@ struct RouletteByThroughput {
 
 /// Another roulette, but for the bounces before one of a given number, which all paths make: the first ones carry most of a picture.
 /// Domain   bounces are counted from 1; throws std::invalid_argument for a first one below that
-/// Random   that of the other, none where no lane has come to its first bounce
-/// Bound    that of the other, times what the bounces before it weigh
+/// Random   that of the other, before its first bounce too: what a lane draws next must not hang on where the others are
+/// Bound    that of the other, times what the bounces before it weigh, if that is above 1
 /// Source   Mitsuba 3, rr_depth ("may randomly cease after encountering directly visible surfaces": 1)
 template <class Roulette>
 class RouletteFromBounce {
@@ -106,7 +106,6 @@ class RouletteFromBounce {
   Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real& depth,
                       Source& source) const {
     const Mask<Real> spared = depth < rounded<Real>(first_ - 1);
-    if (all(spared)) return {spared, Real(1)};
     const auto [alive, weight] = roulette_.template play<Real>(albedo, throughput, depth, source);
     return {alive || spared, select(spared, Real(1), weight)};
   }

@@ -37,6 +37,11 @@ xsimd::batch<float, A> unit_number(const xsimd::batch<std::uint32_t, A>& high,
   return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(high >> 8)) * 0x1p-24f;
 }
 
+/// That of 27 digits of the first word and 26 of the second.
+inline double unit_number_of_halves(std::uint32_t high, std::uint32_t low) {
+  return static_cast<double>((std::uint64_t{high >> 5} << 26) | (low >> 6)) * 0x1p-53;
+}
+
 /// Five of something, as many as a block of random words has numbers of 24 digits.
 template <class Number>
 using Five = std::array<Number, 5>;
@@ -94,9 +99,7 @@ class PhiloxStream<double> {
       left_ = 2;
     }
     --left_;
-    const std::uint64_t high = block_[2 * left_] >> 5;
-    const std::uint64_t low = block_[2 * left_ + 1] >> 6;
-    return static_cast<double>((high << 26) | low) * 0x1p-53;
+    return unit_number_of_halves(block_[2 * left_], block_[2 * left_ + 1]);
   }
 
  private:

@@ -14,8 +14,8 @@ namespace fairlight {
 /// What packets draw with that a mean in double is seen along.
 enum class PacketNumbers { independent, points };
 
-/// That, and the packets' share of the margin. What is left of a margin of 1e-4 by the largest share is four times the rounding of
-/// floats, the least that a test by betting takes; where paths in floats part from those in double, the difference needs more.
+/// That, and the packets' share of the margin. What the largest share leaves of a margin of 1e-4 is four times the rounding of floats,
+/// the least that a test by betting takes; where the difference is dear, as paths in floats part from those in double, it is given more.
 struct PacketPlan {
   static constexpr std::array shares{0.79, 0.6, 0.4};
 
@@ -38,7 +38,7 @@ class AlongPackets {
   /// says how many draws there must be. A packet is taken to cost what a draw in double does, and twice as much where it has
   /// points. A pilot that is out of its range is left to double.
   std::optional<PacketPlan> pays() const try {
-    if (!fits(PacketPlan::shares.front())) return std::nullopt;
+    if (std::ranges::none_of(PacketPlan::shares, [this](double share) { return fits(share); })) return std::nullopt;
     const Channels independent = pilot(1024, packet_draws(PacketNumbers::independent, " pilot"));
     const Channels points = pilot(64, packet_draws(PacketNumbers::points, " pilot"));
     double least = expected_draws(trial_, rounded_references<Packet>(references_), independent);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 #include <fairlight/estimators/concepts.h>
@@ -18,9 +19,49 @@ auto independent_numbers(const StreamKey& key) {
   return [key](std::uint64_t i) { return PhiloxStream<Real>(key, 0, i); };
 }
 
-/// Or Sobol' points, one replicate of n after the other, which fill whole packets.
+/// In double the first two of each draw, made for several draws at once by packets of words: the same numbers.
+class PairsAtOnce {
+ public:
+  explicit PairsAtOnce(const StreamKey& key) : key_(key) {}
+
+  /// A UniformSource of two numbers; std::out_of_range for a third.
+  struct Pair {
+    std::array<double, 2> numbers;
+    std::size_t used = 0;
+    double next() { return numbers.at(used++); }
+  };
+  Pair operator()(std::uint64_t i) {
+    if (pairs_.empty() || made_ != i / lanes<Packet>) make(i / lanes<Packet>);
+    return pairs_[i % lanes<Packet>];
+  }
+
+ private:
+  void make(std::uint64_t number) {
+    using W = Word<Packet>;
+    const std::uint64_t first = number * lanes<Packet>;
+    const W samples = W(static_cast<std::uint32_t>(first)) + lane_numbers<W::arch_type>();
+    const auto block = Philox<W>::draw({W(0u), samples, W(static_cast<std::uint32_t>(first >> 32)), W(0u)},
+                                       {W(key_.words()[0]), W(key_.words()[1])});
+    std::array<std::array<std::uint32_t, lanes<Packet>>, 4> words;
+    for (std::size_t k = 0; k < words.size(); ++k) block[k].store_unaligned(words[k].data());
+    pairs_.clear();
+    for (std::size_t i = 0; i < lanes<Packet>; ++i) {
+      pairs_.push_back(
+          {{unit_number_of_halves(words[2][i], words[3][i]), unit_number_of_halves(words[0][i], words[1][i])}});
+    }
+    made_ = number;
+  }
+
+  StreamKey key_;
+  std::vector<Pair> pairs_;
+  std::uint64_t made_ = 0;
+};
+
+/// Or Sobol' points, one replicate of n after the other, which must fill whole packets (else std::invalid_argument).
 template <class Real>
 auto numbers_of_points(const StreamKey& key, std::uint32_t n) {
+  if (n % lanes<Real> != 0)
+    throw std::invalid_argument("a replicate must fill whole packets (give a multiple of lanes)");
   return [key, n](std::uint64_t i) {
     if (i / n >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
     return OwenSobol<Real>(key, static_cast<std::uint32_t>(i / n), n).source(static_cast<std::uint32_t>(i % n));
@@ -58,10 +99,10 @@ class Draws {
   std::vector<Made> made_;
 };
 
-/// A sampler's draws follow its density, which integrates to one over the domain.
+/// A sampler's draws in double follow its density, which integrates to one over the domain.
 template <Sampler Law, class Domain>
 Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
-  Draws draws(law, independent_numbers<typename Law::Scalar>(StreamKey(trial.seed, trial.claim)));
+  Draws draws(law, PairsAtOnce(StreamKey(trial.seed, trial.claim)));
   return test_law(
       trial, domain, [&](const typename Law::Point& x) { return law.pdf(x).value(); },
       [&](std::uint64_t i) { return typename Law::Point(draws.point(i)); });

@@ -79,14 +79,15 @@ TEST(RouletteByThroughput, NeverEndsAPathThatWillCarryOneOrMore) {
   EXPECT_EQ(survival.weight, 1);
 }
 
-TEST(RouletteFromBounce, WaitsForItsBounceAndTakesNoNumberBefore) {
+TEST(RouletteFromBounce, WaitsForItsBounce) {
   const RouletteFromBounce<RouletteByThroughput<>> from_second(2);
-  ScriptedSource one({0.26});
+  ScriptedSource two({0.26, 0.26});
   const Rgb<double> half(0.5, 0.5, 0.5);
-  const auto first = from_second.play<double>(half, half, 0, one);
+  const auto first = from_second.play<double>(half, half, 0, two);
   EXPECT_TRUE(first.alive);
   EXPECT_EQ(first.weight, 1);
-  EXPECT_FALSE(from_second.play<double>(half, half, 1, one).alive);
+  EXPECT_FALSE(from_second.play<double>(half, half, 1, two).alive);
+  EXPECT_TRUE(two.exhausted());
 }
 
 // Of two lanes that draw the same number, 0.6 against 1/2, one is at its first bounce, and is not paid either.

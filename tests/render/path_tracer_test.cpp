@@ -59,9 +59,9 @@ TEST(PathTracer, PaysSurvivorsOfRoulette) {
 TEST(PathTracer, TellsRouletteWhatAPathCarriesAndHowDeepItIs) {
   using Later = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteFromBounce<RouletteByThroughput<>>>;
   const Later later(-1, {}, {}, RouletteFromBounce<RouletteByThroughput<>>(2));
-  // A bounce without roulette, to a throughput of 1/2, 1/4, 1/8; a second would leave 1/4 of it: survives 0.2, bounces, carries 1,
+  // A bounce that roulette spares, though its number is 0.99, to a throughput of 1/2, 1/4, 1/8; a second would leave 1/4 of it: survives 0.2, bounces, carries 1,
   // 1/4, 1/16, and dies at 0.51.
-  ScriptedSource source({0.3, 0.7, 0.2, 0.3, 0.7, 0.51});
+  ScriptedSource source({0.99, 0.3, 0.7, 0.2, 0.3, 0.7, 0.51});
   const Rgb<double> radiance = later.radiance(furnace(), ray, source);
   EXPECT_TRUE(radiance.isApprox(emitted * (1 + albedo + albedo * albedo / 0.25), 1e-14));
   EXPECT_TRUE(source.exhausted());

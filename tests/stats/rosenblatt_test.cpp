@@ -72,6 +72,10 @@ TEST(RosenblattTest, TakesTheMeansOfReplicates) {
   EXPECT_EQ(found.draws % 2, 0);
   EXPECT_EQ(test_rosenblatt(trial, flat, crowded, 2).verdict, Verdict::biased);
   EXPECT_THROW(test_rosenblatt(trial, flat, pair, 0), std::invalid_argument);
+  const auto outside = [&](std::uint64_t i) -> Eigen::Vector2d {
+    return i < 130 ? pair(i) : Eigen::Vector2d(0.5, -0.5);
+  };
+  EXPECT_EQ(test_rosenblatt(trial, flat, outside, 2).draws, 131u);
 }
 
 TEST(RosenblattTest, RefutesWhatIsNoDensityAndNoPoint) {

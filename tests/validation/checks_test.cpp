@@ -212,6 +212,19 @@ TEST(CheckLawMoments, SeeTheSameOverPointsInAFractionOfTheDraws) {
   EXPECT_EQ(check_law_moments_over_points(fine, Swapped{}, Swapped{}, domain).verdict, Verdict::biased);
 }
 
+TEST(PairsAtOnce, AreTheNumbersOfTheStreams) {
+  const StreamKey key(1, "pairs");
+  PairsAtOnce pairs(key);
+  for (const std::uint64_t i : {std::uint64_t{0}, std::uint64_t{5}, std::uint64_t{6}, std::uint64_t{100},
+                                (std::uint64_t{1} << 32) - 1, (std::uint64_t{1} << 32) + 3, std::uint64_t{5}}) {
+    auto pair = pairs(i);
+    PhiloxStream<double> stream(key, 0, i);
+    EXPECT_EQ(pair.next(), stream.next()) << i;
+    EXPECT_EQ(pair.next(), stream.next()) << i;
+    EXPECT_THROW(pair.next(), std::out_of_range);
+  }
+}
+
 // A replicate has all points of the set once, and the next one others.
 TEST(NumbersOfPoints, AreOneReplicateAfterTheOther) {
   const StreamKey key(1, "points");
@@ -222,6 +235,7 @@ TEST(NumbersOfPoints, AreOneReplicateAfterTheOther) {
   EXPECT_EQ(quarters, (std::array{true, true, true, true}));
   EXPECT_NE(first_number(0), first_number(4));
   EXPECT_THROW(numbers(std::uint64_t{1} << 34), NoMoreDraws);
+  EXPECT_THROW(numbers_of_points<Packet>(key, 2), std::invalid_argument);
 }
 
 // Uniform on [0,1) x [0,1), of which it says that a part has another density.

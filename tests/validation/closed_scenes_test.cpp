@@ -119,6 +119,11 @@ TEST(RenderedPixels, AreBoundedVertexByVertex) {
   EXPECT_EQ(upper("none"), 21);
   settings.roulette = "off";
   EXPECT_DOUBLE_EQ(upper("mis"), 3 + 8.6 + 1.2 * 8.6);
+  settings.roulette =
+      "throughput";  // a survivor carries 2 at most, and in front of glass of index 1.5 2.25 times as much
+  EXPECT_NEAR(upper("mis"), 2 * (3 + 8.6 + 1.2 * 8.6), 1e-9);
+  scene.index = 1.5;
+  EXPECT_NEAR(upper("mis"), 4.5 * (3 + 8.6 + 1.2 * 8.6), 1e-9);
 }
 
 using Values = std::map<std::string, std::set<std::string>>;

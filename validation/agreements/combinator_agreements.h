@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
-
 #include <fairlight/render/cornell.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
+#include <fairlight/validation/numbers_ahead.h>
 
 namespace fairlight {
 
@@ -35,21 +34,6 @@ auto one_against_all(const std::string& name) {
                     draw};
 }
 
-/// A UniformSource of the next n numbers of another, which are taken at once: what comes after a path that ends early then has the
-/// same numbers in each arithmetic.
-template <class Real, std::size_t n>
-class NumbersAhead {
- public:
-  explicit NumbersAhead(auto& source) {
-    for (Real& number : numbers_) number = source.next();
-  }
-  Real next() { return numbers_.at(used_++); }
-
- private:
-  std::array<Real, n> numbers_;
-  std::size_t used_ = 0;
-};
-
 /// Roulette on against off, in the Cornell box, over a patch of its floor, up to four bounces.
 /// Bound: the light's sphere, 4 pi r^2 = 9 pi, is nowhere nearer to a surface than 15 (the ceiling), so a shadow
 /// ray brings at most 9 x 400 x 0.8 / 15^2 = 12.8, times a throughput of at most 1; there are four.
@@ -67,7 +51,7 @@ auto roulette_on_against_off(const std::string& name) {
     const Vec3<Real> from(rounded<Real>(eye.x()), rounded<Real>(eye.y()), rounded<Real>(eye.z()));
     const Vec3<Real> way = Vec3<Real>(Real(30) + Real(40) * u.x(), Real(0), Real(95) + Real(40) * u.y()) - from;
     const Ray<Real> ray{from, way / way.norm(), Real(-1)};
-    NumbersAhead<Real, 14> ahead(source);  // four shadow rays and three bounces
+    auto ahead = NumbersAhead<Real>::of(source, 14);  // four shadow rays and three bounces
     const Rgb<Real> without = off.along(ray, real, ahead);
     return Rgb<Real>(on.along(ray, real, source) - without);
   };

@@ -3,6 +3,7 @@
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
 #include <fairlight/validation/along_packets.h>
+#include <fairlight/validation/numbers_ahead.h>
 #include <fairlight/validation/padded_sets.h>
 #include <fairlight/validation/radiance.h>
 
@@ -30,11 +31,16 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
     };
     return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
   };
-  const auto draw = [camera = view.camera, a = tracer(one), b = tracer(other)]<class Real>(
+  // Of a vertex: of shadow rays to all luminaires two each, of a choice among them one, of a roulette one, of a bounce two.
+  const std::size_t numbers =
+      static_cast<std::size_t>(comparison.max_depth) * (2 * view.scene.luminaires().size() + 4);
+  const auto draw = [numbers, camera = view.camera, a = tracer(one), b = tracer(other)]<class Real>(
                         std::type_identity<Real> real, auto& source) {
     const Vec2<Real> place = next_pair<Real>(source);
     const Ray<Real> ray = camera.template ray<Real>(place.x(), place.y(), 1, 1, source);
-    const Rgb<Real> difference = a.along(ray, real, source) - b.along(ray, real, source);
+    auto ahead = NumbersAhead<Real>::of(source, numbers);
+    const Rgb<Real> by_other = b.along(ray, real, ahead);
+    const Rgb<Real> difference = a.along(ray, real, source) - by_other;
     return Real((difference[0] + difference[1] + difference[2]) / Real(3));
   };
   return Experiment{name,

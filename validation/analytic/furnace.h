@@ -32,7 +32,7 @@ struct Furnace {
   }
 };
 
-/// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series.
+/// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series; by throughput from the first bounce on it is the same.
 /// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q). Where rho =
 /// q a path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 60 leaves 2e-9. With shadow
 /// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger. `vertex` says how many times

@@ -55,33 +55,49 @@ auto later_roulette_walk() {
                                                  Later(2));
 }
 
-/// How many vertices such a path has, which is what it costs: 1 / (1 - q), as it goes on with probability q = 1/4 after each. That
-/// a path is longer shows in no mean of what it carries.
+/// How many vertices a path has, which is what it costs, on surfaces that reflect 1/4 at most. That it is longer shows in no mean of
+/// what it carries. The tail is that of a path that goes on with 1/4 always, E[(N - 12)+], and that of one whose second bounce it is 1/16
+/// after a certain one is the same.
 template <class Roulette>
-auto roulette_walk_length(const std::string& name, const std::string& subject) {
+auto walk_length(const std::string& name, const std::string& subject, const std::string& statement, double mean,
+                 const Roulette& roulette) {
   constexpr double q = 0.25;
   constexpr int vertices = 12;
-  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+  const auto draw = [roulette]<class Real>(std::type_identity<Real>, auto& source) {
     const Rgb<Real> reflectance(Real(0.125), Real(q), Real(0.0625));
     Rgb<Real> throughput = Rgb<Real>::Ones();
     Real length(1);
     Mask<Real> alive(true);
     for (int depth = 0; any(alive); ++depth) {
       const auto [goes_on, weight] =
-          Roulette::template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
+          roulette.template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
       alive = alive && goes_on;
       throughput *= reflectance * weight;
       length += select(alive, Real(1), Real(0));
     }
     return length;
   };
-  return Experiment{name,
-                    {subject},
-                    "a path that goes on with the largest reflectance, 1/4, has 4/3 vertices",
-                    "geometric series; the paper, 3.2.1",
-                    2,
-                    {{1 / (1 - q), 0, vertices, std::pow(q, vertices) / (1 - q)}},
+  return Experiment{name,      {subject},
+                    statement, "geometric series; the paper, 3.2.1",
+                    2,         {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}},
                     draw};
+}
+
+template <class Roulette>
+auto roulette_walk_length() {
+  return walk_length("roulette.walk.length", "RouletteByReflectance",
+                     "a path that goes on with the largest reflectance, 1/4, has 4/3 vertices", 4.0 / 3,
+                     Roulette());
+}
+
+/// Of what it will carry the second bounce leaves 1/4 x 1/4, and any after it 1/4, as a survivor carries 1.
+template <class Roulette>
+auto later_roulette_walk_length() {
+  return walk_length(
+      "roulette.walk.length_later", "RouletteByThroughput",
+      "a path that goes on from its second bounce with what it will carry, 1/16 and then 1/4, has 25/12 "
+      "vertices",
+      2 + 1.0 / 16 / (1 - 0.25), RouletteFromBounce<Roulette>(2));
 }
 
 }  // namespace fairlight

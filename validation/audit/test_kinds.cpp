@@ -83,8 +83,12 @@ TestKind along(const std::string& name, const PacketPlan& plan) {
             return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding(plan);
           }};
 }
-TestKind along_packets() { return along("betting.along_packets", {PacketNumbers::independent, 0.79}); }
-TestKind along_points() { return along("betting.along_points", {PacketNumbers::points, 0.4}); }
+TestKind along_packets() {
+  return along("betting.along_packets", {PacketNumbers::independent, PacketPlan::shares.front()});
+}
+TestKind along_points() {
+  return along("betting.along_points", {PacketNumbers::points, PacketPlan::shares.back()});
+}
 
 TestKind student() {
   return {"t.exponential", false, [](const Trial& trial, double bias) {

@@ -15,8 +15,8 @@ void add_roulette(std::vector<Claim>& claims) {
   add_mean(claims, roulette_walk<RouletteByThroughput<>, UniformHemisphere>("roulette.walk.throughput",
                                                                             "RouletteByThroughput"));
   add_mean(claims, later_roulette_walk<RouletteFromBounce>());
-  add_independent_mean(
-      claims, roulette_walk_length<RouletteByReflectance<>>("roulette.walk.length", "RouletteByReflectance"));
+  add_independent_mean(claims, roulette_walk_length<RouletteByReflectance<>>());
+  add_independent_mean(claims, later_roulette_walk_length<RouletteByThroughput<>>());
   using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByThroughput<>>;
   add_independent_mean(
       claims,

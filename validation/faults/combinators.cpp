@@ -34,6 +34,11 @@ Fault spared_paid() {
           both(later_roulette_walk<faults::SparedPaid>())};
 }
 
+Fault roulette_late() {
+  return {"roulette-a-bounce-late", "roulette out of order", "none: what is carried, before the vertex's albedo",
+          both(later_roulette_walk_length<faults::CarriedBefore>())};
+}
+
 Fault weights_on_one_side() {
   using Wrong = faults::PowerOnOneSide;
   return {"mis-power-on-one-side", "MIS sum", "mitsuba aa325039f; Moer #59",
@@ -95,10 +100,10 @@ Fault plain_sum() {
 }  // namespace
 
 std::vector<Fault> combinator_faults() {
-  return {unpaid_throughput(), spared_paid(),       weights_on_one_side(), counts_ignored(),
-          selection_unpaid(),  wrong_sign(),        factor_forgotten(),    unpaid_splitting(),
-          half_jitter(),       densities_swapped(), paid_by_mean(),        number_reused(),
-          plain_sum()};
+  return {unpaid_throughput(), spared_paid(),      roulette_late(),     weights_on_one_side(),
+          counts_ignored(),    selection_unpaid(), wrong_sign(),        factor_forgotten(),
+          unpaid_splitting(),  half_jitter(),      densities_swapped(), paid_by_mean(),
+          number_reused(),     plain_sum()};
 }
 
 }  // namespace fairlight

@@ -38,7 +38,7 @@ Fault roulette_at_its_cap() {
   return {"roulette-at-its-cap",
           "survival above 1",
           "practical-path-guiding #3",
-          {mean_claim(roulette_walk_length<Wrong>("roulette.walk.length", ""))},
+          {mean_claim(roulette_walk_length<Wrong>())},
           {mean_claim(roulette_walk<Wrong, CosineHemisphere>("roulette.walk.reflectance", ""))}};
 }
 

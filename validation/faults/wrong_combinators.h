@@ -106,6 +106,14 @@ struct RoulettePaidByMean {
   }
 };
 
+/// By what a path carries before the bounce that it is asked about, and not after it: it goes on once more.
+struct CarriedBefore {
+  template <class Real, class Source>
+  static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>& throughput, const Real& depth, Source& source) {
+    return RouletteByThroughput<>::play<Real>(Rgb<Real>::Ones(), throughput, depth, source);
+  }
+};
+
 /// Bounces that are spared are paid for all the same.
 template <class Roulette>
 struct SparedPaid : RouletteFromBounce<Roulette> {
