@@ -19,7 +19,6 @@ void add_renders(std::vector<Claim>& claims, const std::string& real) {
   RenderSettings endless = settings_in(real, {"none", "area"}, -1);
   for (const char* roulette : {"albedo", "throughput"}) {
     endless.roulette = roulette;
-    endless.roulette_depth = 1;
     claims.push_back(rendered_radiance(white_sky(), endless, 1));
   }
   for (const LightSearch& search : searches_of_spheres) {
