@@ -21,10 +21,10 @@ template <class Real>
 class RectangleView {
  public:
   RectangleView(Real x0, Real x1, Real y0, Real y1, Real width, Real height)
-      : x0_(x0), x1_(x1), y0_(y0), y1_(y1), width_(width), height_(height), half_(half_solid_angle()) {}
+      : x0_(x0), x1_(x1), y0_(y0), y1_(y1), width_(width), height_(height), half_angle_(half_solid_angle()) {}
 
   /// [sr]
-  Real solid_angle() const { return Real(2) * half_; }
+  Real solid_angle() const { return Real(2) * half_angle_; }
 
   /// The point (x, y) of a point of the unit square.
   Vec2<Real> at(const Vec2<Real>& u) const {
@@ -92,8 +92,8 @@ class RectangleView {
     using std::sin;
     using std::sqrt;
     const Real quarter = atan(Real(height_ / beyond(Real(0)).below));
-    const Real above = half_beyond(x1_, quarter) + (Real(1) - u) * half_;
-    const Real below = half_beyond(Real(-x0_), quarter) + u * half_;
+    const Real above = half_beyond(x1_, quarter) + (Real(1) - u) * half_angle_;
+    const Real below = half_beyond(Real(-x0_), quarter) + u * half_angle_;
     const Real s = select(above < below, above, below);
     const Real a = sin(s), c = cos(s), m = Real(1) + y0_ * y1_;
     const Real numerator = height_ * (c - a) * (c + a) - Real(2) * m * a * c;
@@ -120,7 +120,7 @@ class RectangleView {
   }
 
   Real x0_, x1_, y0_, y1_, width_, height_;
-  Real half_;  ///< the solid angle [sr]
+  Real half_angle_;  ///< half of the solid angle [sr]
 };
 
 }  // namespace fairlight

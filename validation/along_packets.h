@@ -43,8 +43,8 @@ class AlongPackets {
     const Channels points = pilot(64, packet_draws(PacketNumbers::points, " pilot"));
     double least = expected_draws(trial_, rounded_references<Packet>(references_), independent);
     if (in_packets(PacketPlan::shares.front(), independent, points).cost > least) return std::nullopt;
-    const double most_differences = std::clamp(least / 1000, 512.0, 16384.0);  // rare ones may say most
-    const Channels differences = pilot(static_cast<std::size_t>(most_differences), difference_draws(" pilot"));
+    const double pilot_size = std::clamp(least / 1000, 512.0, 16384.0);  // rare differences may say most
+    const Channels differences = pilot(static_cast<std::size_t>(pilot_size), difference_draws(" pilot"));
     std::optional<PacketPlan> plan;
     for (const double share : PacketPlan::shares) {
       if (!fits(share)) continue;

@@ -56,8 +56,8 @@ auto later_roulette_walk() {
 }
 
 /// How many vertices a path has, which is what it costs, on surfaces that reflect 1/4 at most. That it is longer shows in no mean of
-/// what it carries. The tail is that of a path that goes on with 1/4 always, E[(N - 12)+], and that of one whose second bounce it is 1/16
-/// after a certain one is the same.
+/// what it carries. The tail, E[(N - 12)+], is that of a path that goes on with 1/4 always; it is the same where the first bounce is
+/// certain and the second has 1/16.
 template <class Roulette>
 auto walk_length(const std::string& name, const std::string& subject, const std::string& statement, double mean,
                  const Roulette& roulette) {
