@@ -5,6 +5,7 @@
 
 #include <fairlight/stats/evidence.h>
 #include <fairlight/validation/agreements/relations.h>
+#include <fairlight/validation/packet_mean.h>
 
 namespace fairlight {
 
@@ -80,7 +81,7 @@ struct PictureBorder {
 /// The grey number that draw(type_identity, ray, source) gives along the rays of a camera, of each part of the picture.
 template <class Parts, class Draw>
 auto over_parts(const Camera& camera, const Draw& draw) {
-  return [=](auto& source) {
+  return [=](std::type_identity<Packet>, auto& source) {
     Eigen::Array<Packet, static_cast<int>(Parts::parts), 1> parts;
     for (std::size_t c = 0; c < Parts::parts; ++c) {
       const Vec2<Packet> place = Parts::place(c, next_pair<Packet>(source));
@@ -134,7 +135,7 @@ Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double marg
           .margin_factor = margin_factor,
           .check =
               [=](const Trial& trial) {
-                const Finding finding = check_mean<Packet>(trial, references, draw);
+                const Finding finding = check_mean_in_packets(trial, references, draw);
                 if (trial.evidence != nullptr) leave_tiles(trial, parts.means, Parts::columns);
                 return finding;
               },
@@ -157,7 +158,7 @@ Claim presumed_light(const PairedPaths& paths, const PartMeans& parts) {
           .statement = parts.where + " of " + paths.scene + " surfaces reflect as much as margins are relative to",
           .source = "a declared bound, that was measured",
           .margin_factor = 20,
-          .check = [=](const Trial& trial) { return check_mean<Packet>(trial, references, draw); },
+          .check = [=](const Trial& trial) { return check_mean_in_packets(trial, references, draw); },
           .real = real_name<Packet>()};
 }
 

@@ -84,10 +84,10 @@ TestKind along(const std::string& name, const PacketPlan& plan) {
           }};
 }
 TestKind along_packets() {
-  return along("betting.along_packets", {PacketNumbers::independent, PacketPlan::shares.front()});
+  return along("betting.along_packets", {1, PacketPlan::shares.front()});
 }
 TestKind along_points() {
-  return along("betting.along_points", {PacketNumbers::points, PacketPlan::shares.back()});
+  return along("betting.along_points", {points_a_replicate, PacketPlan::shares.back()});
 }
 
 TestKind student() {

@@ -38,14 +38,14 @@ void add_furnaces(std::vector<Claim>& claims) {
       "shared", {"PathTracer", "DirectLight", "Mirror", "BalanceHeuristic"}));
   add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
                                               {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
-  add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 24.5,
+  add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 12.25,
                   always(Tracer<All, Roulette>())));
   add(two_spheres("furnace.two_spheres.one", {"PathTracer", "DirectLight", "OneOf", "RouletteByReflectance"}, 24.5,
                   always(Tracer<One, Roulette>())));
-  add(two_spheres("furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllOf", "SphereByCone"}, 8,
+  add(two_spheres("furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllOf", "SphereByCone"}, 4.1,
                   always(Tracer<AllByCone, Roulette>())));
   add(two_spheres("furnace.two_spheres.power",
-                  {"PathTracer", "DirectLight", "OneBy", "PowerChoice", "SphereByCone"}, 8,
+                  {"PathTracer", "DirectLight", "OneBy", "PowerChoice", "SphereByCone"}, 4.1,
                   by_power<Roulette>(furnace_with_another().scene, -1)));
   add(furnace_partial_sum<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
       "furnace.depth3.uniform", {"PathTracer", "NoRoulette", "UniformHemisphere"}, 3, 2));

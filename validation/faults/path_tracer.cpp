@@ -29,7 +29,7 @@ Fault shadowed_by_itself() {
   return {"shadow-acne",
           "epsilon",
           "mitsuba3 #785",
-          {mean_claim<Packet>(two_spheres("furnace.two_spheres.cone", {}, 8, always(Wrong())))}};
+          {mean_claim<Packet>(two_spheres("furnace.two_spheres.cone", {}, 4.1, always(Wrong())))}};
 }
 
 Fault one_bounce_more() {

@@ -1,0 +1,81 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include <fairlight/validation/packet_mean.h>
+
+namespace fairlight {
+namespace {
+
+Trial at_margin(double margin) { return {"packet_mean_test", 1, 1e-6, 0.01, margin}; }
+const std::vector<Reference> two{{2, 0, 4}};
+constexpr double some = 1e5;  // draws
+
+// So many ramps of 2u + 1 in a row, whose mean is 2, off by so much.
+auto ramps(float count, double bias = 0) {
+  return [=](std::type_identity<Packet>, auto& source) {
+    using std::floor;
+    const Packet place = Packet(count) * source.next();
+    return Packet((Packet(2) * (place - floor(place)) + Packet(1)) * rounded<Packet>(1 + bias));
+  };
+}
+
+TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
+  const auto points = [](double margin, float count) {
+    return PacketMean(at_margin(margin), two, ramps(count)).cheapest_points(some);
+  };
+  EXPECT_GT(points(1e-3, 1), 1u);
+  EXPECT_EQ(points(1e-3, 64), 1u) << "a ramp a point, which varies as it would alone";
+  EXPECT_EQ(points(2e-2, 1), 1u) << "few draws";
+}
+
+// Replicates of 64 points may have 8 of each ramp, and so vary little; those of 16 have two, and there must be as many of either.
+TEST(PacketMean, TakesTheNumberOfPointsThatTakesTheLeastTime) {
+  const std::vector<Reference> wide{{2, 0, 400}};
+  EXPECT_LT(PacketMean(at_margin(1e-3), wide, ramps(1)).cheapest_points(some), 64u);
+  EXPECT_EQ(PacketMean(at_margin(1e-4), two, ramps(8)).cheapest_points(some), 64u);
+}
+
+TEST(PacketMean, LeavesADrawThatIsOutOfItsRangeToTheTest) {
+  const std::vector<Reference> narrow{{2, 0, 2.9}};
+  EXPECT_EQ(PacketMean(at_margin(1e-3), narrow, ramps(1)).cheapest_points(some), 1u);
+  const Finding finding = check_mean_in_packets(at_margin(1e-3), narrow, ramps(1), some);
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("above"), std::string::npos) << finding.note;
+}
+
+TEST(CheckMeanInPackets, HasOneVerdictWhateverTheNumbers) {
+  for (const float count : {1.0f, 64.0f}) {
+    const Trial trial = at_margin(1e-3);
+    const Finding right = check_mean_in_packets(trial, two, ramps(count), some),
+                  wrong = check_mean_in_packets(trial, two, ramps(count, 3e-3), some);
+    EXPECT_EQ(right.verdict, Verdict::certified) << right.note;
+    EXPECT_LT(right.interval.hi, 1e-3);
+    EXPECT_EQ(wrong.verdict, Verdict::biased) << count;
+    EXPECT_EQ(wrong.note.empty(), count == 64) << wrong.note;
+  }
+}
+
+TEST(CheckMeanInPackets, CountsDrawsOneByOne) {
+  const auto steady = [](std::type_identity<Packet>, auto& source) { return Packet(2) + Packet(0) * source.next(); };
+  const PacketMean mean(at_margin(1e-3), two, steady);
+  const auto by_one = mean.test_each(at_margin(1e-3), 1)[0].draws, by_set = mean.test_each(at_margin(1e-3), 16)[0].draws;
+  EXPECT_EQ(by_set, 16 * by_one);
+}
+
+TEST(CheckMeanInPackets, TakesIndependentNumbersAtTheMarginOfARun) {
+  EXPECT_EQ(check_mean_in_packets(at_margin(1e-3), two, ramps(1, 3e-3)).note, "");
+}
+
+// Who is to hear the draws themselves.
+TEST(CheckMeanInPackets, TakesIndependentNumbersWhereSomebodyListens) {
+  Evidence evidence;
+  std::uint64_t heard = 0;
+  evidence.listener = [&](const auto&, const DrawBlock&, std::uint64_t draws) { heard = draws; };
+  Trial watched = at_margin(1e-3);
+  watched.evidence = &evidence;
+  EXPECT_EQ(check_mean_in_packets(watched, two, ramps(1), some).draws, heard);
+}
+
+}  // namespace
+}  // namespace fairlight
