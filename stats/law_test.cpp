@@ -80,9 +80,9 @@ struct Looks {
   double part;
 };
 
-// Right laws mostly have their verdict at the first of three. None is taken where cells are pooled otherwise than at the last.
+// Right laws mostly have their verdict at one of the first two. None is taken where cells are pooled otherwise than at the last.
 Looks looks_for(const Trial& trial, const std::vector<double>& probabilities) {
-  std::vector<double> shares{0.35, 0.5, 1};
+  std::vector<double> shares{0.25, 0.35, 0.5, 1};
   for (;;) {
     Looks looks{{}, 1 / static_cast<double>(shares.size())};
     const auto most = static_cast<double>(draws_to_tell_apart(

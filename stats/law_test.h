@@ -65,7 +65,7 @@ using CountMore = std::function<std::vector<std::uint64_t>(std::uint64_t draws)>
 ///  * the probabilities sum to one within 1e-6 and the quadrature's error;
 ///  * chi-square on all cells, both tails, with at most as many draws as the margin (a relative L2 distance) asks for;
 ///  * the exact binomial law of every cell, so that one wrong cell among many is seen.
-/// There are up to three looks, which share alpha and beta evenly; right laws mostly have their verdict at the first, a third of the way. Each
+/// There are up to four looks, which share alpha and beta evenly; right laws mostly have their verdict by the second, a third of the way. Each
 /// statistical part has half of alpha. Guarantee: asymptotic, as chi-square is. Throws std::invalid_argument for a margin that asks for
 /// more than 10^15 draws.
 Finding test_counts(const Trial& trial, const LawCells& cells, const CountMore& count);

@@ -120,7 +120,7 @@ inline bool is_heard(const Trial& trial) { return trial.evidence != nullptr && t
 /// somebody listens. Throws what test_means does.
 template <class Draw>
 Finding check_mean_in_packets(const Trial& trial, const std::vector<Reference>& references, const Draw& draw,
-                              double many = 1 << 26) {
+                              double many = 1 << 27) {
   const PacketMean mean(trial, references, draw);
   const std::uint32_t points = detail::is_heard(trial) ? 1 : mean.cheapest_points(many);
   Finding finding = worst_of(mean.test_each(trial, points));
