@@ -72,7 +72,7 @@ class AlongPackets {
     }
     Finding whole = worst_of(sums);
     const char* seen = plan.points > 1 ? "seen in packets of floats over Sobol' points, which it is drawn along"
-                                   : "seen in packets of floats, which it is drawn along";
+                                       : "seen in packets of floats, which it is drawn along";
     if (!go_on) whole.note = detail::note_on(seen, whole.note);
     return whole;
   }
@@ -84,7 +84,8 @@ class AlongPackets {
 
   // Whether both parts can be tested to their shares of the margin.
   bool fits(double share) const {
-    const std::vector<Reference> packets = packets_.references(1, share), differences = difference_references(share);
+    const std::vector<Reference> packets = packets_.references(1, share),
+                                 differences = difference_references(share);
     for (std::size_t c = 0; c < references_.size(); ++c) {
       const Reference& r = references_[c];
       const double rounding = std::max(packets[c].rounding, differences[c].rounding);

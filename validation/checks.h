@@ -171,12 +171,39 @@ inline std::vector<Reference> replicate_references(std::vector<Reference> refere
   return references;
 }
 
-/// Whole replicates as draws.
+namespace detail {
+
+/// Throws BadDraw for a point of a replicate that its reference rules out, which a mean may hide.
+template <class Value>
+void require_in_range(std::uint64_t replicate, const Value& x, const std::vector<Reference>& references) {
+  for (std::size_t c = 0; c < references.size(); ++c) {
+    const auto channel = channel_of(x, c);
+    using Real = std::remove_cvref_t<decltype(channel)>;
+    const double lower = references[c].lower;
+    const double upper = references[c].tail_slack > 0 ? infinity<double> : references[c].upper;
+    if (!any(!(channel >= rounded<Real>(lower) && channel <= rounded<Real>(upper)))) continue;
+    std::array<double, lanes<Real>> values{};
+    store_lanes(channel, values.data());
+    for (const double value : values) {
+      if (!(value >= lower && value <= upper))
+        throw BadDraw(replicate, value, "at one of its points, out of its declared range");
+    }
+  }
+}
+
+}  // namespace detail
+
+/// Whole replicates as draws, of points that have these references.
 template <PointSet Set, class Draw>
-DrawBlock replicate_draws(const StreamKey& key, const Draw& draw, std::uint32_t n) {
-  return [key, draw, n](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+DrawBlock replicate_draws(const StreamKey& key, const std::vector<Reference>& references, const Draw& draw,
+                          std::uint32_t n) {
+  return [key, references, draw, n](std::uint64_t first, std::vector<std::vector<double>>& channels) {
     for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      const auto mean = replicate_mean<Set>(key, first + i, n, draw);
+      const auto mean = replicate_mean<Set>(key, first + i, n, [&](auto& source) {
+        const auto x = draw(source);
+        detail::require_in_range(first + i, x, references);
+        return x;
+      });
       for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = detail::channel_of(mean, c);
     }
   };
@@ -186,8 +213,9 @@ DrawBlock replicate_draws(const StreamKey& key, const Draw& draw, std::uint32_t 
 template <PointSet Set, class Draw>
 Finding check_replicates(const Trial& trial, const std::vector<Reference>& references, const Draw& draw,
                          std::uint32_t n) {
-  return test_means(trial, replicate_references(rounded_references<typename Set::Scalar>(references), n),
-                    replicate_draws<Set>(StreamKey(trial.seed, trial.claim), draw, n));
+  const std::vector<Reference> of_points = rounded_references<typename Set::Scalar>(references);
+  return test_means(trial, replicate_references(of_points, n),
+                    replicate_draws<Set>(StreamKey(trial.seed, trial.claim), of_points, draw, n));
 }
 
 /// Every draw equals the reference to within `ulps` units in the last place: an estimator without variance.

@@ -58,7 +58,8 @@ Claim mean_row(const Experiment<Draw>& e, const Check& check) {
           .finest_margin = finest_margin_of<Real>(e.references)};
 }
 
-/// From independent numbers of its own arithmetic alone: in double where packets round more than they mostly do.
+/// From independent numbers of its own arithmetic alone: in double where packets round more than they mostly do, and where it is the numbers
+/// themselves that are tested, for which no others stand in.
 template <class Real, class Draw>
 Claim mean_claim_alone(const Experiment<Draw>& e) {
   return mean_row<Real>(e, [](const Trial& trial, const Experiment<Draw>& experiment) {
@@ -67,7 +68,7 @@ Claim mean_claim_alone(const Experiment<Draw>& e) {
   });
 }
 
-/// From independent numbers or, where it is faster, in double along packets and in packets over points.
+/// From independent numbers; in double along packets where that is faster, and in packets over points where they would take very long.
 template <class Real = double, class Draw>
 Claim mean_claim(const Experiment<Draw>& e) {
   return mean_row<Real>(e, [](const Trial& trial, const Experiment<Draw>& experiment) {

@@ -19,7 +19,7 @@ template <class Draw>
 class PacketMean {
  public:
   /// How many points a replicate may have; there are few where the range is so wide that it says how many replicates there must be.
-  static constexpr std::array<std::uint32_t, 2> replicates{points_a_replicate / 4, points_a_replicate};
+  static constexpr std::array<std::uint32_t, 2> set_sizes{points_a_replicate / 4, points_a_replicate};
 
   PacketMean(const Trial& trial, const std::vector<Reference>& references, const Draw& draw)
       : trial_(trial), references_(rounded_references<Packet>(references)), draw_(draw) {}
@@ -37,10 +37,10 @@ class PacketMean {
   /// What a few draws say of all, however the numbers are spread.
   class Pilots {
    public:
+    /// Independent numbers, for a mean that has this share of the margin. Throws BadDraw for a draw that its reference rules out.
     Choice independent(double share) const { return cost(0, share); }
 
-    /// Which points take the least time for a mean that has this share of the margin. A packet of points is taken to cost what two others do.
-    /// Throws BadDraw for one that its reference rules out.
+    /// The points that take the least time. A packet of points is taken to cost what two others do.
     Choice cheapest(double share) const {
       Choice best = independent(share);
       for (std::size_t i = 1; i < draws_.size(); ++i) {
@@ -54,6 +54,9 @@ class PacketMean {
     using Channels = std::vector<std::vector<double>>;
 
     explicit Pilots(const PacketMean& mean) : mean_(mean) { add(1, 1024); }
+    void add_sets() {
+      for (const std::uint32_t points : set_sizes) add(points, 64);
+    }
 
     void add(std::uint32_t points, std::size_t draws) {
       Channels channels(mean_.references_.size(), std::vector<double>(draws));
@@ -72,22 +75,24 @@ class PacketMean {
   };
 
   /// Of independent numbers, and of every number of points.
-  Pilots pilots() const {
+  Pilots pilots() const& {
     Pilots pilots(*this);
-    for (const std::uint32_t points : replicates) pilots.add(points, 64);
+    pilots.add_sets();
     return pilots;
   }
 
   /// Which points take the least time for a mean that has all of the margin, where independent numbers would take more than so many draws;
   /// independent ones where a pilot is out of its range.
   std::uint32_t cheapest_points(double many) const try {
-    const Pilots alone(*this);
-    return alone.independent(1).cost * lanes<Packet> > many ? pilots().cheapest(1).points : 1;
+    Pilots pilots(*this);
+    if (pilots.independent(1).cost * lanes < Packet >> many) pilots.add_sets();
+    return pilots.cheapest(1).points;
   } catch (const BadDraw&) {
     return 1;
   }
 
-  /// What test_means finds of each channel, and throws, its draws counted one by one.
+  /// What test_means finds of each channel, and throws, its draws counted one by one. The levels are those of this trial, the numbers those of
+  /// the mean's own.
   std::vector<Finding> test_each(const Trial& trial, std::uint32_t points, double share = 1) const {
     std::vector<Finding> findings = test_each_mean(trial, references(points, share), draws(points, ""));
     for (Finding& each : findings) each.draws *= points;
@@ -100,7 +105,7 @@ class PacketMean {
     const auto in_packets = [draw = draw_](auto& source) { return draw(std::type_identity<Packet>{}, source); };
     const StreamKey key(trial_.seed, trial_.claim + (points == 1 ? "" : " over points") + purpose);
     return points == 1 ? independent_draws<Packet>(key, references_.size(), in_packets)
-                       : replicate_draws<OwenSobol<Packet>>(key, in_packets, points);
+                       : replicate_draws<OwenSobol<Packet>>(key, references_, in_packets, points);
   }
 
   Trial trial_;
@@ -116,7 +121,7 @@ inline bool is_heard(const Trial& trial) { return trial.evidence != nullptr && t
 }  // namespace detail
 
 /// The mean of an estimator in packets. Independent numbers, which pictures are made of, are themselves held to account where they are drawn
-/// with; so points stand in only where it would take more than `many` of them, which at a margin of 1e-3 it never does, nor where
+/// with; so points stand in only where it would take more than `many` of them, which hardly happens at a margin of 1e-3, and not where
 /// somebody listens. Throws what test_means does.
 template <class Draw>
 Finding check_mean_in_packets(const Trial& trial, const std::vector<Reference>& references, const Draw& draw,

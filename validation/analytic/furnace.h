@@ -31,25 +31,29 @@ struct Furnace {
     const double rho = albedo[channel];
     return radiance[channel] * (depth < 0 ? 1 : 1 - std::pow(rho, depth + 1)) / (1 - rho);
   }
+
+  /// The whole series, of paths that bring `first` and then these terms, each rho/q times as large as the one before, q being the
+  /// probability that they go on. A tail hides a billionth.
+  Reference reference_within(int channel, double first, const GeometricSum& terms) const {
+    const double mean = reference(channel, -1), ratio = albedo[channel] / terms.goes_on;
+    if (ratio < 1) return {mean, 0, first + terms.largest / (1 - ratio) * (1 + 1e-9)};
+    const double slack = 1e-9 * mean;
+    return {mean, 0, first + terms.bound(slack), slack};
+  }
 };
 
 /// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series; by throughput from the first bounce on it is the same.
-/// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q). Where rho =
-/// q a path of N vertices gives Le N, N geometric, and E[(N - K)+] = q^K / (1 - q): K = 60 leaves 2e-9. With shadow
-/// rays the depths above 0 come one vertex earlier and reflected, so the sum is no larger. `vertex` says how many times
-/// that a vertex may bring.
+/// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q); where rho = q a path brings Le at each
+/// of a geometric number of vertices. With shadow rays the depths above 0 come one vertex earlier and reflected, so the sum is no
+/// larger. `vertex` says how many times that a vertex may bring.
 template <class Tracer>
 auto furnace_radiance(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1,
                       const Furnace& furnace = Furnace(), double vertex = 1) {
   const double q = furnace.albedo.maxCoeff();
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
-    constexpr int vertices = 60;
     const double le = vertex * furnace.radiance[c];
-    const double ratio = furnace.albedo[c] / q;
-    const bool endless = ratio == 1;
-    const double upper = endless ? le * vertices : le / (1 - ratio) * (1 + 1e-9);
-    references.push_back({furnace.reference(c, -1), 0, upper, endless ? le * std::pow(q, vertices) / (1 - q) : 0});
+    references.push_back(furnace.reference_within(c, 0, GeometricSum{le, le, q}));
   }
   return Experiment{name,
                     std::move(subjects),
@@ -97,15 +101,8 @@ auto two_spheres(const std::string& name, std::vector<std::string> subjects, dou
   const double q = furnace.albedo.maxCoeff();
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
-    const double le = furnace.radiance[c], mean = furnace.reference(c, -1);
-    const double term = furnace.albedo[c] * le;
-    const double ratio = furnace.albedo[c] / q;
-    if (ratio < 1) {
-      references.push_back({mean, 0, le + largest * term / (1 - ratio) * (1 + 1e-9)});
-    } else {
-      const double slack = 1e-10 * mean;
-      references.push_back({mean, 0, le + GeometricSum{term, largest * term, q}.bound(slack), slack});
-    }
+    const double le = furnace.radiance[c], term = furnace.albedo[c] * le;
+    references.push_back(furnace.reference_within(c, le, GeometricSum{term, largest * term, q}));
   }
   return Experiment{name,
                     std::move(subjects),

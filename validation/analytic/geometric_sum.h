@@ -1,12 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
-
-#include <boost/math/tools/minima.hpp>
 
 namespace fairlight {
 
@@ -17,26 +13,18 @@ struct GeometricSum {
   double largest;
   double goes_on;
 
-  /// A bound b with E[(sum - b)+] <= slack, slack > 0: far below that of as many terms of the largest size, as these are rare.
-  /// Chernoff's bound at its best rate: (x)+ <= exp(s x) / (e s), and E[exp(s term)] <= 1 + mean (exp(s largest) - 1) / largest, as exp
-  /// is convex. Throws std::invalid_argument outside the domains.
-  /// Source   Hoeffding 1963, Probability inequalities for sums of bounded random variables, (4.1)
+  /// The least multiple b of the largest term with E[(sum - b)+] <= slack, slack > 0, whatever the terms' law. What is beyond a bound is
+  /// convex in every term, and so the most where terms are 0 or the largest, the latter with p = mean / largest. There is one such
+  /// with probability a = p / (1 - q (1 - p)), and after each another with q a, where q is `goes_on`; so E[(sum - m largest)+] is largest a (q a)^m / (1 - q a).
+  /// Throws std::invalid_argument outside the domains.
+  /// Source   Hoeffding 1963, Probability inequalities for sums of bounded random variables, (4.1), for the convexity
   double bound(double slack) const {
     if (!(0 < mean && mean <= largest && 0 < goes_on && goes_on < 1 && slack > 0))
       throw std::invalid_argument("a geometric sum needs 0 < mean <= largest, 0 < goes_on < 1 and slack > 0");
-    const double fastest = std::log1p(largest / mean * (1 / goes_on - 1)) / largest;
-    const auto at = [&](double share) { return bound_at(share * fastest, slack); };
-    std::uintmax_t iterations = 100;
-    constexpr int bits = std::numeric_limits<double>::digits / 2;
-    return boost::math::tools::brent_find_minima(at, 0.01, 0.9999, bits, iterations).second;
-  }
-
- private:
-  // Any rate below the fastest gives a bound. The transform of the sum solves G = term (1 - goes_on + goes_on G).
-  double bound_at(double rate, double slack) const {
-    const double term = 1 + mean * std::expm1(rate * largest) / largest;
-    const double sum = term * (1 - goes_on) / (1 - goes_on * term);
-    return std::log(sum / (rate * std::numbers::e * slack)) / rate;
+    const double p = mean / largest;
+    const double one = p / (1 - goes_on * (1 - p)), another = goes_on * one;
+    const double terms = std::log(slack * (1 - another) / (largest * one)) / std::log(another);
+    return largest * std::max(std::ceil(terms), 0.0);
   }
 };
 

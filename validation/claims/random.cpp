@@ -32,8 +32,8 @@ void add_random_claims(std::vector<Claim>& claims) {
                                 []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
                                 SquareDomain{0, 1}, 5, true});
   claims.push_back(streams_uncorrelated_claim());
-  claims.push_back(mean_claim<double>(product_integral()));
-  claims.push_back(mean_claim<Packet>(product_integral()));
+  claims.push_back(mean_claim_alone<double>(product_integral()));
+  claims.push_back(mean_claim_alone<Packet>(product_integral()));
   claims.push_back(replicates_claim(product_integral(), sobol_points, 1));
   claims.push_back(replicates_claim(product_integral(), stratified_points, 1));
   claims.push_back(replicates_claim(product_integral(), latin_points, 1));
