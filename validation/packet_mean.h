@@ -85,7 +85,8 @@ class PacketMean {
   /// independent ones where a pilot is out of its range.
   std::uint32_t cheapest_points(double many) const try {
     Pilots pilots(*this);
-    if (pilots.independent(1).cost * lanes < Packet >> many) pilots.add_sets();
+    const double draws = lanes<Packet> * pilots.independent(1).cost;
+    if (draws > many) pilots.add_sets();
     return pilots.cheapest(1).points;
   } catch (const BadDraw&) {
     return 1;
