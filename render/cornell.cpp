@@ -68,7 +68,7 @@ View many_lights() {
   add_two_spheres(scene);
   for (int i = 0; i < 1000; ++i) {
     const int x = i % 10, y = i / 10 % 10, z = i / 100;
-    const double radiance = i % 10 == 3 ? 0 : 2.0 * (i % 7 + 1) * (i % 11 + 1);
+    const double radiance = 2.0 * (i % 7 + 1) * (i % 11 + 1);
     const Rgb<double> colour(1, 0.6 + 0.04 * x, 0.6 + 0.04 * z);
     scene.add_sphere({8 + 9.3 * x, 48 + 3.2 * y, 8 + 14.0 * z}, 0.15, black, radiance * colour);
   }

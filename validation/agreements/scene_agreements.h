@@ -12,9 +12,10 @@ namespace fairlight {
 /// What two sets of strategies may be compared by, in a built-in scene.
 struct SceneComparison {
   std::string scene;
-  int max_depth;   ///< of both
-  double largest;  ///< what a path's vertices bring at most, with either, but for the emission that the camera sees
-  double mean;     ///< of the picture, in grey: no more than it is
+  int max_depth;         ///< of both
+  double darkest;        ///< the one's less the other's is no less, in grey
+  double brightest;      ///< and no more; but for the emission that the camera sees, which is the same
+  double mean;           ///< of the picture, in grey: no more than it is
   double margin_factor;  ///< relative to the mean
 };
 
@@ -48,7 +49,7 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
                     "the mean of the picture of " + comparison.scene + " is the same by both strategies",
                     "the same integral",
                     comparison.margin_factor,
-                    {{0, -comparison.largest, comparison.largest, 0, comparison.mean}},
+                    {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}},
                     draw};
 }
 
@@ -65,8 +66,8 @@ inline constexpr PictureSquare around_the_light_of_cornell_simple{0.48, 0.2775, 
 /// compared along a ray of the view's camera, a grey number of at most `largest`, and 0 outside of the square; the margin is
 /// relative to `mean`, of the whole picture.
 template <class Part>
-Claim floats_against_double(const std::string& name, const View& view, double largest, double mean, Part part,
-                            const PictureSquare& square = {}) {
+Claim floats_against_double(const std::string& name, const View& view, double largest, double mean,
+                            double margin_factor, Part part, const PictureSquare& square = {}) {
   const auto draw = [camera = view.camera, part, square]<class Real>(std::type_identity<Real> real, auto& source) {
     const Vec2<Real> place = next_pair<Real>(source);
     const Real x = rounded<Real>(square.left) + rounded<Real>(square.side) * place.x();
@@ -80,7 +81,7 @@ Claim floats_against_double(const std::string& name, const View& view, double la
           .subjects = {"PathTracer"},
           .statement = "the mean of the picture in packets of floats is that in double, path by path",
           .source = "the same integral",
-          .margin_factor = 1,
+          .margin_factor = margin_factor,
           .check =
               [=](const Trial& trial) {
                 const std::vector<Reference> floats{{0, -largest, largest, 0, mean}};
@@ -111,7 +112,7 @@ Claim sets_agree(const std::string& name, std::vector<std::string> subjects, con
                 const TracedScene<Real> scene(view.scene);
                 const auto tracer = chosen_tracer<Real>(Strategies(settings, view.scene), view.scene);
                 const IndependentNumbers independent(StreamKey(trial.seed, trial.claim + " independent"));
-                const Reference reference{0, -comparison.largest, comparison.largest, 0, comparison.mean};
+                const Reference reference{0, comparison.darkest, comparison.brightest, 0, comparison.mean};
                 return check_sets<Real, Numbers>(trial, {reference}, n, [&](const auto& numbers) {
                   auto camera = numbers.at(0);
                   const Vec2<Real> place = next_pair<Real>(camera);
@@ -125,15 +126,13 @@ Claim sets_agree(const std::string& name, std::vector<std::string> subjects, con
           .real = real_name<Real>()};
 }
 
-/// In the box of the paper, by cone: a shadow ray brings at most 12.8, as by area, four times a path.
-template <class Real, class Numbers>
-Claim cornell_by_sets(const std::string& kind, const std::string& subject) {
-  const SceneComparison box{"cornell-simple", 4, 4 * 12.8, 0.4, 20};
-  RenderSettings settings;
-  settings.light_sampling = "cone";
-  settings.which_light = "all";
-  settings.roulette = "off";
-  return sets_agree<Real, Numbers>("cornell-simple.random." + kind, {subject}, box, settings);
+/// The same by Sobol' points, and by strata.
+template <class Real>
+void add_sets(std::vector<Claim>& claims, const SceneComparison& comparison, const RenderSettings& settings) {
+  claims.push_back(
+      sets_agree<Real, PaddedSobol>(comparison.scene + ".random.sobol", {"PaddedSobol"}, comparison, settings));
+  claims.push_back(sets_agree<Real, PaddedStrata>(comparison.scene + ".random.stratified", {"PaddedStrata"},
+                                                  comparison, settings));
 }
 
 }  // namespace fairlight

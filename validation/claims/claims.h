@@ -19,6 +19,7 @@ void add_second_order_claims(std::vector<Claim>& claims);
 void add_scene_claims(std::vector<Claim>& claims);
 void add_closed_scene_claims(std::vector<Claim>& claims);
 void add_built_in_scene_claims(std::vector<Claim>& claims);
+void add_scene_strategy_claims(std::vector<Claim>& claims);
 void add_relation_claims(std::vector<Claim>& claims);
 void add_paired_path_claims(std::vector<Claim>& claims);
 
@@ -40,6 +41,7 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"scenes.cpp", add_scene_claims},
                              {"closed_scenes.cpp", add_closed_scene_claims},
                              {"built_in_scenes.cpp", add_built_in_scene_claims},
+                             {"scene_strategies.cpp", add_scene_strategy_claims},
                              {"relations.cpp", add_relation_claims},
                              {"paired_paths.cpp", add_paired_path_claims}}) {
     const std::size_t before = claims.size();

@@ -1,0 +1,110 @@
+#include <fairlight/validation/agreements/scene_agreements.h>
+#include <fairlight/validation/agreements/scene_relations.h>
+#include <fairlight/validation/claims/claims.h>
+
+namespace fairlight {
+namespace {
+
+// A built-in scene, and what its paths are compared to: shadow rays to luminaires that are chosen and sampled so, without roulette. What
+// each brings at most is in grey, as is the picture's mean, which is no more than it is.
+struct WholeScene {
+  std::string name, which_light, light_sampling;
+  int max_depth;
+  double baseline_brings, uniform_brings, shared_brings, estimated_brings, light, mean, margin_factor;
+
+  RenderSettings baseline() const { return related_settings(light_sampling, which_light, max_depth); }
+  SceneComparison comparison(double brightest, double factor = 1) const {
+    return {name, max_depth, -baseline_brings, brightest, mean, factor * margin_factor};
+  }
+};
+
+// Of each vertex what shadow rays bring and, once, what a bounce finds. A bounce multiplies by 1 at most, or where bounces are uniform by 2, as
+// roulette gives back the albedo: three vertices count as 3, or as 7, and what the last one's bounce finds as 4. By one luminaire,
+// see built_in_scenes.cpp for more:
+//   cornell-simple     2.49 by cone, 6 by the hemisphere that is seen, 12 by area; four vertices, 15 uniform ones
+//   cornell-complex    2.59, 6 x 2 for one of two, 12 x 2
+//   cornell-materials  16, 25 as no bounce finds more, shared 25, and the light in a mirror; through glass n^2 = 2.25 times as much
+//   cornell-original   15.8, shared 2 x 7.9 where bounces are uniform, shared 7.9
+//   hallway            12.4, shared 2 x 24, shared 24; 13 by contribution
+//   many-lights        6; 2 pi r^2 f / d^2 sum Le = 80 by power; 0.8 Le = 123 by one of them
+const WholeScene whole_scenes[]{
+    {"cornell-simple", "all", "cone", 4, 2.49 * 2.952, 6 * (15 + 8), 12 * (4 + 1), 2.49 * 15, 400, 0.4, 20},
+    {"cornell-complex", "all", "cone", 3, 2.59 * 2.44, 12 * (7 + 4), 24 * (3 + 1), 2.59 * 7, 400, 0.4, 30},
+    {"cornell-materials", "all", "cone", 3, 2 * 16 + 5 + 25, 50 * (7 + 4), 2.25 * 25 * (3 + 1),
+     2.25 * (16 * 7 + 25 * 4), 27, 0.3, 40},
+    {"cornell-original", "all", "solid-angle", 3, 15.8 * 2.44, 15.8 * (7 + 4), 7.9 * (3 + 1), 15.8 * 7, 11, 0.2,
+     40},
+    {"hallway", "all", "cone", 3, 12.4 * 2.44, 48 * (7 + 4), 24 * (3 + 1), 13 * 7, 30, 0.2, 40},
+    {"many-lights", "contribution", "cone", 1, 6, 80 * (1 + 1), 123 * (1 + 1), 6, 154, 0.1, 200},
+};
+
+struct WaysOfAPath {
+  std::string bounce, direct, light_sampling, which_light, roulette;
+};
+
+RenderSettings settings_of(const WaysOfAPath& ways) {
+  RenderSettings settings;
+  settings.bounce = ways.bounce;
+  settings.direct = ways.direct;
+  settings.light_sampling = ways.light_sampling;
+  settings.which_light = ways.which_light;
+  settings.roulette = ways.roulette;
+  if (ways.roulette == "throughput") settings.roulette_depth = 1;
+  return settings;
+}
+
+// Every way to do each thing, in four rows of a scene: any that is wrong shows in one of them. In packets; what these add or take is a row
+// as well. Bounces that meet small bright lights by themselves vary much, and are compared less finely.
+void add_strategies(std::vector<Claim>& claims, const WholeScene& scene) {
+  const std::string part = scene.light_sampling == "cone" ? "visible" : "area";
+  const auto add = [&](const std::string& name, const SceneComparison& comparison, const WaysOfAPath& ways) {
+    claims.push_back(
+        mean_claim<Packet>(strategies_agree(scene.name + ".strategies." + name, {"PathTracer", "DirectLight"},
+                                            comparison, settings_of(ways), scene.baseline())));
+  };
+  add("uniform", scene.comparison(scene.uniform_brings), {"uniform", "mis", part, "power", "albedo"});
+  add("shared", scene.comparison(scene.shared_brings), {"cosine", "mis", "area", "one", "throughput"});
+  add("estimated", scene.comparison(scene.estimated_brings),
+      {"uniform", "light", scene.light_sampling, "contribution", "throughput"});
+  add("alone", scene.comparison(scene.light, scene.light > 100 ? 3 : 1),
+      {"cosine", "none", "area", "all", "albedo"});
+}
+
+// The picture in floats: what the surfaces reflect, within the margin of half of the picture's mean.
+void add_floats(std::vector<Claim>& claims, const WholeScene& scene, double margin_factor) {
+  RenderSettings settings = scene.baseline();
+  settings.scene = scene.name;
+  const View view = view_of(settings);
+  const auto tracer = [&](int max_depth) {
+    settings.max_depth = max_depth;
+    const auto make = [scene = view.scene, settings]<class Real>(std::type_identity<Real>) {
+      return chosen_tracer<Real>(Strategies(settings, scene), scene);
+    };
+    return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
+  };
+  const auto grey = [](const auto& colour) { return (colour[0] + colour[1] + colour[2]) / 3; };
+  const auto seen = [=, light = tracer(0)](auto real, const auto& ray, auto& source) {
+    return grey(light.along(ray, real, source));
+  };
+  const auto reflected = [=, all = tracer(scene.max_depth)](auto real, const auto& ray, auto& source) {
+    return grey(all.along(ray, real, source)) - seen(real, ray, source);
+  };
+  if (scene.name == "cornell-simple")
+    claims.push_back(floats_against_double(scene.name + ".float.light", view, scene.light, scene.mean / 2,
+                                           margin_factor, seen, around_the_light_of_cornell_simple));
+  claims.push_back(floats_against_double(scene.name + ".float.reflected", view, scene.baseline_brings,
+                                         scene.mean / 2, margin_factor, reflected));
+}
+
+}  // namespace
+
+void add_scene_strategy_claims(std::vector<Claim>& claims) {
+  for (const WholeScene& scene : whole_scenes) {
+    add_strategies(claims, scene);
+    const bool first = scene.name == "cornell-simple";
+    add_floats(claims, scene, first ? 1 : scene.margin_factor);
+    if (!first) add_sets<Packet>(claims, scene.comparison(scene.baseline_brings, 2.5), scene.baseline());
+  }
+}
+
+}  // namespace fairlight
