@@ -60,14 +60,13 @@ void require_positive(const Real& x, const char* what, const char* why) {
 }
 
 /// An orthonormal, right-handed frame about a unit normal. The normal is neither checked nor made unit: of one that is too
-/// long by a small part e the frame is off by some e.
+/// long by a small part e the frame is off by some e. Its z may be either zero: which of them a negation makes hangs on the instructions.
 /// Source: Duff et al. 2017, "Building an orthonormal basis, revisited".
 template <class Real>
 class Frame {
  public:
   explicit Frame(const Vec3<Real>& normal) : normal_(normal) {
-    using std::copysign;
-    const Real sign = copysign(Real(1), normal.z());
+    const Real sign = select(normal.z() < Real(0), Real(-1), Real(1));
     const Real a = Real(-1) / (sign + normal.z());
     const Real b = normal.x() * normal.y() * a;
     tangent_ = {Real(1) + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};

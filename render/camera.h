@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 
 #include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/lens.h>
@@ -52,6 +55,36 @@ class Camera {
       throw std::invalid_argument("an aperture needs three blades or more (or 0, and is round)");
     right_ = right_.normalized() * settings.image_height;
     down_ = look_.cross(right_);
+  }
+
+  /// Throws std::invalid_argument where rays have no direction in the arithmetic of `Real`, double or float, as it cannot hold
+  /// the squares of what they are made of.
+  template <class Real>
+  void require_rays() const {
+    constexpr bool in_double = std::is_same_v<Real, double>;
+    constexpr double most = in_double ? 1e150 : 1e18;
+    const auto& s = settings_;
+    if (s.image_height * most >= 1 && s.image_height <= most && s.focus_distance * most >= 1 &&
+        s.aperture_radius <= most * std::min(s.focus_distance, 1.0) && s.start <= most &&
+        s.eye.cwiseAbs().maxCoeff() <= most)
+      return;
+    throw std::invalid_argument(
+        std::string("the camera's place, lens or field of view is not held by ") +
+        (in_double ? "doubles (give lengths and ratios between 1e-150 and 1e150)"
+                   : "floats (give lengths and ratios between 1e-18 and 1e18, or --real double)"));
+  }
+
+  /// How far a point is from where rays start [m], of an image so many times as wide and as high as an image_height. With an aperture of
+  /// blades no more.
+  double distance_to_starts(const Vec3<double>& point, double width, double height) const {
+    const auto& s = settings_;
+    const Vec3<double> way = point - s.eye;
+    const auto beyond = [&](const Vec3<double>& side, double size) {
+      return std::max(std::abs(way.dot(side.normalized())) - s.start * s.image_height * size / 2, 0.0);
+    };
+    const double lens = s.aperture_radius * std::abs(1 - s.start / s.focus_distance);
+    const double aside = std::max(std::hypot(beyond(right_, width), beyond(down_, height)) - lens, 0.0);
+    return std::hypot(aside, way.dot(look_) - s.start);
   }
 
   const CameraSettings& settings() const { return settings_; }

@@ -24,14 +24,21 @@ bool absorbs_nothing(const Surface& surface) {
   return surface.material.kind == Material::Kind::glass || surface.material.albedo.maxCoeff() == 1;
 }
 
+// Of any pixel filter: from the middle of a pixel.
+constexpr double widest_filter = 2;
+
 // A ray that starts inside glass may be reflected round and round, all of it; so may one where nothing is darker than white.
-void check_camera(const View& view, const Strategies& strategies) {
+void check_camera(const View& view, const Strategies& strategies, const Film& film) {
   if (strategies.max_depth >= 0) return;
+  const double height = film.height(), around = 2 * widest_filter / height;
   const std::vector<Surface>& surfaces = view.scene.surfaces();
   const bool all_white = std::ranges::all_of(surfaces, absorbs_nothing);
   for (const Surface& surface : surfaces) {
     const bool keeps_light = surface.material.kind == Material::Kind::glass || all_white;
-    if (keeps_light && !surface.rectangle && surface.shape.level(view.camera.settings().eye) < 0)
+    if (!keeps_light || surface.rectangle) continue;
+    const double radius = 1 / surface.shape.curvature;
+    const Vec3<double> centre = surface.shape.anchor - radius * surface.shape.normal;
+    if (view.camera.distance_to_starts(centre, film.width() / height + around, 1 + around) < radius)
       throw std::invalid_argument(
           "the camera is inside a sphere that absorbs nothing, and a path need not end (give --max-depth)");
   }
@@ -62,8 +69,13 @@ void check_whole_sets(const RenderSettings& settings, std::uint64_t samples) {
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions) {
   const Strategies strategies(settings, view.scene);
-  check_camera(view, strategies);
-  if (settings.real == "packet") require_floats(view.scene);
+  check_camera(view, strategies, film);
+  if (settings.real == "packet") {
+    require_floats(view.scene);
+    view.camera.require_rays<float>();
+  } else {
+    view.camera.require_rays<double>();
+  }
   check_whole_sets(settings, range.first);
   check_whole_sets(settings, range.last);
   const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render " + settings.random),

@@ -28,6 +28,11 @@ TEST(Frame, IsOrthonormalAboutTheAxesAndNearThePole) {
   expect_orthonormal(Vec3<double>(1e-9, -1e-9, -1).normalized());
 }
 
+TEST(Frame, IsOneForBothZeros) {
+  const Vec3<double> local(0.1, 0.2, 0.3);
+  EXPECT_EQ(Frame<double>({0.6, 0.8, 0.0}).to_world(local), Frame<double>({0.6, 0.8, -0.0}).to_world(local));
+}
+
 RC_GTEST_PROP(Frame, TakesAVectorThereAndBack, ()) {
   Vec3<double> normal = UniformHemisphere<double>().sample(*testing::unit_point());
   if (*rc::gen::arbitrary<bool>()) normal = -normal;

@@ -135,6 +135,47 @@ TEST(ExtremeScenes, AreRefusedWhereAPathFromTheCameraNeedNotEnd) {
   }
 }
 
+// Rays start on a plane before the eye, or all over the lens.
+TEST(ExtremeScenes, AreRefusedWhereSomeRaysStartInGlass) {
+  const auto glass_at = [](const Vec3<double>& centre, double radius) {
+    Scene scene;
+    scene.add_sphere({0, 0, 0}, 10, black, lit);
+    scene.add_sphere(centre, radius, glass, black);
+    return scene;
+  };
+  for (const Arithmetic& arithmetic : arithmetics()) {
+    const std::string says = "--max-depth";
+    expect_refusal(glass_at({0, 0, -5}, 1), {.start = 5}, small(), arithmetic, says);
+    expect_refusal(glass_at({2.5, 0, 0}, 1), {.aperture_radius = 2}, small(), arithmetic, says);
+    EXPECT_NO_THROW(render(glass_at({0, 0, -5}, 1), {.start = 3}, small(), arithmetic)) << "before it";
+    EXPECT_NO_THROW(render(glass_at({4, 0, -5}, 1), {.image_height = 0.1, .start = 5}, small(), arithmetic))
+        << "beside what is seen";
+    EXPECT_NO_THROW(render(glass_at({2.5, 0, 0}, 1), {.aperture_radius = 1}, small(), arithmetic))
+        << "beside the lens";
+  }
+}
+
+TEST(ExtremeScenes, ThroughCamerasThatTheArithmeticDoesNotHoldAreRefused) {
+  Scene scene;
+  scene.add_sphere({0, 0, 0}, 1, half, lit);
+  const auto expect_refused_by = [&](const CameraSettings& camera, bool in_double) {
+    for (const Arithmetic& arithmetic : arithmetics()) {
+      if (arithmetic.real == "double" && !in_double)
+        EXPECT_NO_THROW(render(scene, camera, small(), arithmetic));
+      else
+        expect_refusal(scene, camera, small(), arithmetic,
+                       arithmetic.real == "double" ? "1e-150" : "--real double");
+    }
+  };
+  expect_refused_by({.image_height = 1e-40}, false);
+  expect_refused_by({.image_height = 1e20}, false);
+  expect_refused_by({.aperture_radius = 0.1, .focus_distance = 1e-20}, false);
+  expect_refused_by({.aperture_radius = 1e-30, .focus_distance = 1e-30}, false);
+  expect_refused_by({.start = 1e20}, false);
+  expect_refused_by({.image_height = 1e-300}, true);
+  expect_refused_by({.aperture_radius = 0.1, .focus_distance = 1e-200}, true);
+}
+
 // A floor, and over it a light of the given size, as far from the origin as it is said.
 Scene floor_under(double radius, double distance, const Rgb<double>& radiance = lit) {
   Scene scene;

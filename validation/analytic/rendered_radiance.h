@@ -4,12 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/render_image.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/analytic/closed_scenes.h>
 #include <fairlight/validation/checks.h>
 
 namespace fairlight {
+
+/// Those of this file's packets, for whose claims it is compiled more than once.
+inline const std::string& instructions_of_packets() {
+  return std::ranges::find(instruction_sets(), lanes<Packet>, &InstructionSet::lanes)->name;
+}
 
 /// The pixels of small pictures of one radiance, one picture after the other, as the draws of its estimator: each of so many sets of samples,
 /// a set being one sample where they are independent. A picture that the renderer refuses, for a sample that is no radiance, is not a number.
@@ -38,7 +44,7 @@ class RenderedPixels {
     film_ = Film(side, side);
     const std::uint64_t first = picture * samples_;
     try {
-      render_image(view_, settings_, seed_, {first, first + samples_}, 1, film_, {});
+      render_image(view_, settings_, seed_, {first, first + samples_}, 1, film_, {}, instructions_of_packets());
     } catch (const std::domain_error&) {
       refused_ = true;
     }
