@@ -152,29 +152,26 @@ std::vector<std::string> instruction_names() {
   return names;
 }
 
-void add_render(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("render", "Render a built-in scene to an OpenEXR file");
-  auto options = std::make_shared<RenderOptions>();
-  RenderSettings& settings = options->settings;
-  app->add_option("scene", settings.scene, "Which scene: see `fairlight scenes`")->required()->type_name("SCENE");
-  app->add_option("-o", options->output, "The picture, as EXR")
-      ->check(not_empty, "")
-      ->required()
-      ->type_name("F.exr");
-  app->add_option("--png", options->png, "A preview, as PNG")->check(not_empty, "")->type_name("F.png");
-  app->add_option("--json", options->json, "What it cost, as JSON")->check(not_empty, "")->type_name("F.json");
-  app->add_option("--spp", options->spp, "Samples per pixel to add")
+void add_files(CLI::App& app, RenderOptions& options) {
+  app.add_option("-o", options.output, "The picture, as EXR")->check(not_empty, "")->required()->type_name("F.exr");
+  app.add_option("--png", options.png, "A preview, as PNG")->check(not_empty, "")->type_name("F.png");
+  app.add_option("--json", options.json, "What it cost, as JSON")->check(not_empty, "")->type_name("F.json");
+  app.add_option("--spp", options.spp, "Samples per pixel to add")
       ->required()
       ->check(CLI::Range(std::uint64_t{1}, most_samples));
-  app->add_option("--resume", options->resume, "Go on from this picture, with its seed")
+  app.add_option("--resume", options.resume, "Go on from this picture, with its seed")
       ->check(not_empty, "")
       ->type_name("F.exr");
-  app->add_option("--shard", options->shard, "Only part i of N of the samples")->type_name("i/N");
-  app->add_option("--width", settings.width, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
-  app->add_option("--height", settings.height, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
-  const auto choice = [app](const char* name, std::string& value, const char* help,
-                            std::vector<std::string> values) {
-    app->add_option(name, value, help)->check(CLI::IsMember(std::move(values)))->capture_default_str();
+  app.add_option("--shard", options.shard, "Only part i of N of the samples")->type_name("i/N");
+  app.add_option("--width", options.settings.width, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
+  app.add_option("--height", options.settings.height, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
+}
+
+void add_strategies(CLI::App& app, RenderOptions& options) {
+  RenderSettings& settings = options.settings;
+  const auto choice = [&app](const char* name, std::string& value, const char* help,
+                             std::vector<std::string> values) {
+    app.add_option(name, value, help)->check(CLI::IsMember(std::move(values)))->capture_default_str();
   };
   choice("--real", settings.real, "Packets of floats, or doubles one at a time", {"packet", "double"});
   choice("--bounce", settings.bounce, "How directions are sampled", {"cosine", "uniform"});
@@ -185,24 +182,38 @@ void add_render(CLI::App& program, Command& command) {
   choice("--which-light", settings.which_light, "All luminaires, or one of them: any, or by power or contribution",
          {"all", "one", "power", "contribution"});
   choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "throughput", "off"});
-  app->add_option("--roulette-depth", settings.roulette_depth,
-                  "The first bounce that roulette may refuse; 1 by albedo and 5 by throughput if not given")
+  app.add_option("--roulette-depth", settings.roulette_depth,
+                 "The first bounce that roulette may refuse; 1 by albedo and 5 by throughput if not given")
       ->check(CLI::Range(1, 1 << 20));
   choice("--filter", settings.filter, "The pixel filter", {"tent", "box", "gaussian", "blackman-harris"});
   choice("--random", settings.random, "Where random numbers come from", {"independent", "sobol", "stratified"});
-  app->add_option("--points", options->points,
-                  "Samples that sobol and stratified spread together: a power of two up to 1024; 16 if not given")
+  app.add_option("--points", options.points,
+                 "Samples that sobol and stratified spread together: a power of two up to 1024; 16 if not given")
       ->check(CLI::Range(1, 1024));
-  app->add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
+  app.add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
       ->check(CLI::Range(0, 1 << 20));
+}
+
+void add_lens(CLI::App& app, RenderSettings& settings) {
   const CLI::Range any_size(0.0, std::numeric_limits<double>::max());
-  app->add_option("--aperture", settings.aperture,
-                  "The radius of the lens, 0 for a pinhole; the scene's own if not given")
+  app.add_option("--aperture", settings.aperture,
+                 "The radius of the lens, 0 for a pinhole; the scene's own if not given")
       ->check(any_size);
-  app->add_option("--focus", settings.focus, "The distance that is seen sharp; the scene's own if not given")
+  app.add_option("--focus", settings.focus, "The distance that is seen sharp; the scene's own if not given")
       ->check(any_size);
-  app->add_option("--fov", settings.fov, "The vertical field of view in degrees; the scene's own if not given")
+  app.add_option("--fov", settings.fov, "The vertical field of view in degrees; the scene's own if not given")
       ->check(any_size);
+}
+
+void add_render(CLI::App& program, Command& command) {
+  auto* app = program.add_subcommand("render", "Render a built-in scene to an OpenEXR file");
+  auto options = std::make_shared<RenderOptions>();
+  app->add_option("scene", options->settings.scene, "Which scene: see `fairlight scenes`")
+      ->required()
+      ->type_name("SCENE");
+  add_files(*app, *options);
+  add_strategies(*app, *options);
+  add_lens(*app, options->settings);
   app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
   app->add_option("--instructions", options->instructions, "What packets are worked on by; the widest if not given")
       ->check(CLI::IsMember(instruction_names()));

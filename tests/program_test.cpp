@@ -46,6 +46,9 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input(small + "--spp 1 --roulette off -o a.exr", "--max-depth");
   expect_bad_input(small + "--spp 1 --roulette-depth 0 -o a.exr", "roulette-depth");
   expect_bad_input(small + "--spp 1 --roulette off --max-depth 3 --roulette-depth 2 -o a.exr", "--roulette-depth");
+  expect_bad_input(small + "--spp 1 --max-depth 3 --roulette-depth 4 -o a.exr", "--roulette-depth");
+  expect_bad_input(small + "--spp 1 --fov 1e-40 -o a.exr", "--real double");
+  expect_bad_input("render hallway --spp 1 --focus 1e-20 -o a.exr", "--real double");
   expect_bad_input(small + "--spp 16 --random halton -o a.exr", "stratified");
   expect_bad_input(small + "--spp 20 --random sobol -o a.exr", "16 or 32");
   expect_bad_input(small + "--spp 12 --random sobol --points 12 -o a.exr", "power of two");

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -58,6 +60,35 @@ TEST(CornellComplex, HasThreeSpheresAndTwoLights) {
   ASSERT_EQ(view.scene.luminaires().size(), 2u);
   EXPECT_TRUE(view.scene.luminaires()[0].centre.isApprox(Vec3<double>(50, 65.1, 40)));
   EXPECT_TRUE(view.scene.luminaires()[1].centre.isApprox(Vec3<double>(50, 65.1, 120)));
+  EXPECT_NEAR(look(view, {36.5, 60, 80}, {0, -1, 0}).point.y(), 16.5 + std::sqrt(16.5 * 16.5 - 13.5 * 13.5), 1e-12);
+  for (const Luminaire& light : view.scene.luminaires()) {
+    EXPECT_EQ(light.radius, 1.5);
+    EXPECT_TRUE((light.radiance == 400).all());
+  }
+}
+
+int count_of(const View& view, Material::Kind kind) {
+  return static_cast<int>(std::ranges::count_if(
+      view.scene.surfaces(), [kind](const Surface& surface) { return surface.material.kind == kind; }));
+}
+
+TEST(CornellMaterials, HasABallOfEachMaterial) {
+  const View view = cornell_materials();
+  for (const Material::Kind kind :
+       {Material::Kind::mirror, Material::Kind::glass, Material::Kind::metal, Material::Kind::gloss})
+    EXPECT_EQ(count_of(view, kind), 1);
+  EXPECT_EQ(view.scene.luminaires().size(), 1u);
+}
+
+// Seven balls on the floor, 40 apart, of which the middle one of the row is seen sharp.
+TEST(Hallway, IsSeenThroughALensAlongARowOfBalls) {
+  const View view = built_in_scene("hallway");
+  EXPECT_TRUE(view.camera.has_lens());
+  for (int i = 0; i < 7; ++i) {
+    const Vec3<double> over(-14 + 4.5 * i, 40, 40.0 - 40 * i);
+    EXPECT_NEAR(look(view, over, {0, -1, 0}).point.y(), 16, 1e-12) << "ball " << i;
+  }
+  EXPECT_EQ(view.scene.luminaires().size(), 3u);
 }
 
 // Corners of the measured tops, which the rectangles meet to a millimetre and a half.

@@ -82,6 +82,15 @@ TEST(Strategies, RefuseADepthOfRouletteWithoutIt) {
   EXPECT_THROW(Strategies(settings, lit_floor()), std::invalid_argument);
 }
 
+TEST(Strategies, RefuseARouletteThatBeginsAfterTheLastBounce) {
+  RenderSettings settings;
+  settings.max_depth = 3;
+  settings.roulette_depth = 3;
+  EXPECT_NO_THROW(Strategies(settings, lit_floor()));
+  settings.roulette_depth = 4;
+  EXPECT_THROW(Strategies(settings, lit_floor()), std::invalid_argument);
+}
+
 // A mirror shows the light, which no shadow ray finds in it: all of its emission counts.
 TEST(SurfaceBsdf, OfAMirrorIsSeenThroughByTheBounceAlone) {
   Scene scene;
