@@ -100,8 +100,9 @@ double rough_bias(const std::vector<Reference>& references, const DrawBlock& dra
   std::vector<std::vector<double>> channels(references.size(), std::vector<double>(4096));
   try {
     draw_block(0, channels);
-  } catch (const BadDraw&) {
-    return std::numeric_limits<double>::quiet_NaN();
+  } catch (const BadDraw& bad) {  // which ends the block: those before it
+    if (bad.draw() == 0) return std::numeric_limits<double>::quiet_NaN();
+    for (std::vector<double>& channel : channels) channel.resize(bad.draw());
   }
   double worst = 0;
   for (std::size_t c = 0; c < references.size(); ++c) {

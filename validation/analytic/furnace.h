@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <stdexcept>
 
 #include <fairlight/validation/analytic/geometric_sum.h>
 #include <fairlight/validation/radiance.h>
@@ -32,10 +33,11 @@ struct Furnace {
     return radiance[channel] * (depth < 0 ? 1 : 1 - std::pow(rho, depth + 1)) / (1 - rho);
   }
 
-  /// The whole series, of paths that bring `first` and then these terms, each rho/q times as large as the one before, q being the
-  /// probability that they go on. A tail hides a billionth.
+  /// The whole series, of paths that bring `first` and then these terms, each rho/q times as large as the one before, q >= rho being the
+  /// probability that they go on. A tail hides a billionth. Throws std::invalid_argument for a smaller q, of which there is no bound.
   Reference reference_within(int channel, double first, const GeometricSum& terms) const {
     const double mean = reference(channel, -1), ratio = albedo[channel] / terms.goes_on;
+    if (ratio > 1) throw std::invalid_argument("a path that goes on more rarely than it is reflected has no bound");
     if (ratio < 1) return {mean, 0, first + terms.largest / (1 - ratio) * (1 + 1e-9)};
     const double slack = 1e-9 * mean;
     return {mean, 0, first + terms.bound(slack), slack};
@@ -44,8 +46,8 @@ struct Furnace {
 
 /// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series; by throughput from the first bounce on it is the same.
 /// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q); where rho = q a path brings Le at each
-/// of a geometric number of vertices. With shadow rays the depths above 0 come one vertex earlier and reflected, so the sum is no
-/// larger. `vertex` says how many times that a vertex may bring.
+/// of a geometric number of vertices. With shadow rays the depths above 0 come one vertex earlier and reflected, so n vertices bring
+/// 1 + rho n for n, which is more for few alone, far below the bound. `vertex` says how many times that a vertex may bring.
 template <class Tracer>
 auto furnace_radiance(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1,
                       const Furnace& furnace = Furnace(), double vertex = 1) {

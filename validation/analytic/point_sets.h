@@ -173,4 +173,32 @@ inline auto product_integral() {
                     draw};
 }
 
+/// A source's numbers as they come.
+template <class Source>
+struct AsTheyCome {
+  Source& source;
+  auto next() { return source.next(); }
+};
+
+/// The integral of x0 x5 x10 over the cube is 1/8: numbers of three blocks of Philox, which has five of a packet, or two in double.
+template <template <class> class Numbers = AsTheyCome>
+auto blocks_integral() {
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    Numbers<std::remove_reference_t<decltype(source)>> numbers{source};
+    Real product(1);
+    for (int i = 0; i <= 10; ++i) {
+      const Real x = numbers.next();
+      if (i % 5 == 0) product *= x;
+    }
+    return product;
+  };
+  return Experiment{"stream.blocks",
+                    {"PhiloxStream"},
+                    "the integral of x0 x5 x10 over the cube is 1/8",
+                    "elementary",
+                    4,
+                    {{0.125, 0, 1}},
+                    draw};
+}
+
 }  // namespace fairlight

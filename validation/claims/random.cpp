@@ -34,6 +34,8 @@ void add_random_claims(std::vector<Claim>& claims) {
   claims.push_back(streams_uncorrelated_claim());
   claims.push_back(mean_claim_alone<double>(product_integral()));
   claims.push_back(mean_claim_alone<Packet>(product_integral()));
+  claims.push_back(mean_claim_alone<double>(blocks_integral()));
+  claims.push_back(mean_claim_alone<Packet>(blocks_integral()));
   claims.push_back(replicates_claim(product_integral(), sobol_points, 1));
   claims.push_back(replicates_claim(product_integral(), stratified_points, 1));
   claims.push_back(replicates_claim(product_integral(), latin_points, 1));

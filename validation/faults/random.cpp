@@ -72,10 +72,19 @@ Fault coarse_numbers() {
               "law's test evenly. Fine structure is for unit tests of the bits"};
 }
 
+Fault one_block() {
+  const auto wrong = blocks_integral<faults::OneBlock>();
+  return {"numbers-of-one-block",
+          "streams",
+          "none: a block's counter that is not increased",
+          {mean_claim_alone<double>(wrong), mean_claim_alone<Packet>(wrong)}};
+}
+
 }  // namespace
 
 std::vector<Fault> random_faults() {
-  return {one_replicate(), one_scramble(), one_order(), no_jitter(), one_vertex(), same_order(), coarse_numbers()};
+  return {one_replicate(), one_scramble(), one_order(),      no_jitter(),
+          one_vertex(),    same_order(),   coarse_numbers(), one_block()};
 }
 
 }  // namespace fairlight

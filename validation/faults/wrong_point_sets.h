@@ -179,4 +179,19 @@ struct CoarseNumbers {
   }
 };
 
+/// The first five numbers of a source again and again, as of a counter that stands still.
+template <class Source>
+class OneBlock {
+ public:
+  using Real = decltype(std::declval<Source&>().next());
+  OneBlock(Source& source) {
+    for (Real& x : five_) x = source.next();
+  }
+  Real next() { return five_[used_++ % five_.size()]; }
+
+ private:
+  std::array<Real, 5> five_;
+  std::size_t used_ = 0;
+};
+
 }  // namespace fairlight::faults
