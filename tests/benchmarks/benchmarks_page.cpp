@@ -1,5 +1,5 @@
 // The page docs/benchmarks.md from what the benchmarks of one run have measured: `./run bench` calls it with their folder, in which each
-// has left Google Benchmark's JSON, and three renders their reports.
+// has left Google Benchmark's JSON, and renders their reports.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -83,7 +84,8 @@ void print_head(const json& context) {
   std::cout << "# Benchmarks\n\n"
                "This page is written by `./run bench`, which measures the machine that it runs on. Every figure is "
                "the median of "
-               "repetitions\nin one run, on one thread. Rates are those of this machine as busy as it was; what "
+               "repetitions\nin one run, on one thread where none are named. Rates are those of this machine as "
+               "busy as it was; what "
                "carries over to "
                "another are the ratios.\n\n"
                "| machine | |\n|---|---|\n"
@@ -179,13 +181,26 @@ void print_core_test(const Medians& medians) {
             << "| ratio | " << number(test / sum) << " |\n";
 }
 
-/// Of renders that differ in their samples per pixel alone.
+/// Of pairs of renders on one thread and on two, one after the other.
+void print_threads(const std::vector<std::pair<json, json>>& pairs) {
+  std::vector<double> ratios;
+  for (const auto& [one, two] : pairs)
+    ratios.push_back(one.at("seconds").get<double>() / two.at("seconds").get<double>());
+  std::ranges::sort(ratios);
+  std::cout << "\n## Threads\n\nHow many times as fast two threads render `cornell-simple`, 256 x 256 pixels, 512 "
+               "samples each; of pairs of renders, one after the other.\n\n"
+               "| pairs | least | median | most |\n|--:|--:|--:|--:|\n"
+            << "| " << ratios.size() << " | " << number(ratios.front()) << " | "
+            << number(ratios[ratios.size() / 2]) << " | " << number(ratios.back()) << " |\n";
+}
+
+/// Of renders that differ in their samples per pixel alone, on all threads.
 void print_memory(const std::vector<json>& renders) {
   constexpr double mebi = 1024 * 1024;
   constexpr std::size_t a_pixel = sizeof(fairlight::Film::Pixel);
   std::cout
       << "\n## Memory\n\nThe film holds the exact moments of three channels, " << a_pixel
-      << " bytes a pixel. The rest does not grow with the samples.\n\n"
+      << " bytes a pixel. The rest does not grow with the samples. On all threads.\n\n"
          "| picture | samples a pixel | film [MiB] | peak [MiB] | above the film [MiB] |\n|---|--:|--:|--:|--:|\n";
   for (const json& render : renders) {
     const double width = render.at("settings").at("width"), height = render.at("settings").at("height");
@@ -207,6 +222,11 @@ void print_page(const std::string& folder) {
   print_scenes(render);
   print_efficiency(Medians(folder + "/efficiency.json"));
   print_core_test(Medians(folder + "/betting.json"));
+  std::vector<std::pair<json, json>> pairs;
+  for (const char pair : {'1', '2', '3', '4', '5'})
+    pairs.emplace_back(read(folder + "/threads_1_" + pair + ".json"),
+                       read(folder + "/threads_2_" + pair + ".json"));
+  print_threads(pairs);
   print_memory(
       {read(folder + "/memory_1.json"), read(folder + "/memory_4.json"), read(folder + "/memory_16.json")});
 }

@@ -82,8 +82,9 @@ void add_material_box_claims(std::vector<Claim>& claims) {
 
 // By solid angle 15.8; a bounce finds albedo Le = 7.9, and sharing leaves a shadow ray as much: see measured_box (agreements/paired_boxes.h).
 void add_measured_box_claims(std::vector<Claim>& claims) {
-  add_bounces(claims, {"cornell-original", 4, -15.8 * of_four, 7.9 * (of_four + 1), 0.2, 40}, "solid-angle", "mis");
-  add_bounces(claims, {"cornell-original", 4, -15.8 * of_four, 7.9, 0.2, 40}, "solid-angle", "none");
+  add_bounces(claims, {"cornell-original", 4, -15.8 * of_four, 7.9 * (of_four + 1), 0.11, 60}, "solid-angle",
+              "mis");
+  add_bounces(claims, {"cornell-original", 4, -15.8 * of_four, 7.9, 0.11, 60}, "solid-angle", "none");
 }
 
 // Lights of radius 4 and 110 apart, of which the ceiling is 6 away: S = 2 pi (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so 1.6 x 30 x 0.8 / pi = 12.3
@@ -101,7 +102,7 @@ void add_many_lights_claims(std::vector<Claim>& claims) {
   RenderSettings by_cone = baseline("cone"), by_area = baseline("area");
   by_cone.which_light = by_area.which_light = "contribution";
   add_independent_mean(claims, strategies_agree("many-lights.which.contribution", {"PathTracer", "DirectLight"},
-                                                {"many-lights", 1, -6, 6, 0.1, 80}, by_cone, by_area));
+                                                {"many-lights", 1, -6, 6, 0.3, 25}, by_cone, by_area));
 }
 
 }  // namespace
