@@ -64,10 +64,11 @@ class Camera {
     constexpr bool in_double = std::is_same_v<Real, double>;
     constexpr double most = in_double ? 1e150 : 1e18;
     const auto& s = settings_;
-    if (s.image_height * most >= 1 && s.image_height <= most && s.focus_distance * most >= 1 &&
-        s.aperture_radius <= most * std::min(s.focus_distance, 1.0) && s.start <= most &&
-        s.eye.cwiseAbs().maxCoeff() <= most)
-      return;
+    const bool has_rays = s.image_height * most >= 1 && s.image_height <= most && s.start <= most &&
+                          s.start * s.image_height <= most && s.eye.cwiseAbs().maxCoeff() <= most;
+    const bool is_lens = s.focus_distance * most >= 1 && s.aperture_radius * most >= 1 &&
+                         s.aperture_radius <= most * std::min(s.focus_distance, 1.0);
+    if (has_rays && (is_lens || !has_lens())) return;
     throw std::invalid_argument(
         std::string("the camera's place, lens or field of view is not held by ") +
         (in_double ? "doubles (give lengths and ratios between 1e-150 and 1e150)"

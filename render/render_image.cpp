@@ -40,7 +40,8 @@ void check_camera(const View& view, const Strategies& strategies, const Film& fi
     const Vec3<double> centre = surface.shape.anchor - radius * surface.shape.normal;
     if (view.camera.distance_to_starts(centre, film.width() / height + around, 1 + around) < radius)
       throw std::invalid_argument(
-          "the camera is inside a sphere that absorbs nothing, and a path need not end (give --max-depth)");
+          "the camera, or a part of its view, is inside a sphere that absorbs nothing, and a path need not end "
+          "(give --max-depth)");
   }
 }
 

@@ -31,7 +31,8 @@ int first_refused(const RenderSettings& settings) {
         "without roulette there is no bounce for it to begin at (leave out --roulette-depth, or give --roulette)");
   if (settings.max_depth >= 0 && settings.roulette_depth > settings.max_depth)
     throw std::invalid_argument(
-        "roulette would begin after the last bounce (give --roulette-depth no more than --max-depth)");
+        "roulette would begin after the last bounce (leave out --roulette-depth, or give no more than "
+        "--max-depth)");
   return settings.roulette_depth;
 }
 

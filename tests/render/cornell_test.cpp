@@ -80,10 +80,13 @@ TEST(CornellMaterials, HasABallOfEachMaterial) {
   EXPECT_EQ(view.scene.luminaires().size(), 1u);
 }
 
-// Seven balls on the floor, 40 apart, of which the middle one of the row is seen sharp.
+// Seven balls on the floor, 40 apart, of which the third is seen sharp.
 TEST(Hallway, IsSeenThroughALensAlongARowOfBalls) {
   const View view = built_in_scene("hallway");
   EXPECT_TRUE(view.camera.has_lens());
+  const CameraSettings& camera = view.camera.settings();
+  const double third = (Vec3<double>(-5, 8, -40) - camera.eye).dot(camera.look.normalized());
+  EXPECT_NEAR(camera.focus_distance, third, 1);
   for (int i = 0; i < 7; ++i) {
     const Vec3<double> over(-14 + 4.5 * i, 40, 40.0 - 40 * i);
     EXPECT_NEAR(look(view, over, {0, -1, 0}).point.y(), 16, 1e-12) << "ball " << i;

@@ -171,7 +171,9 @@ TEST(ExtremeScenes, ThroughCamerasThatTheArithmeticDoesNotHoldAreRefused) {
   expect_refused_by({.image_height = 1e20}, false);
   expect_refused_by({.aperture_radius = 0.1, .focus_distance = 1e-20}, false);
   expect_refused_by({.aperture_radius = 1e-30, .focus_distance = 1e-30}, false);
+  expect_refused_by({.aperture_radius = 1e-46}, false);
   expect_refused_by({.start = 1e20}, false);
+  expect_refused_by({.image_height = 1e10, .start = 1e10}, false);
   expect_refused_by({.image_height = 1e-300}, true);
   expect_refused_by({.aperture_radius = 0.1, .focus_distance = 1e-200}, true);
 }
