@@ -12,6 +12,13 @@ constexpr double pi = std::numbers::pi;
 
 // The fraction of a turn from -x at which the point lies, in [0,1], and the point of the unit circle there.
 double turn(double x, double y) { return std::atan2(y, x) / (2 * pi) + 0.5; }
+// The middle of its eighth; not a number where a coordinate is none.
+double eighth_of_turn(double x, double y) {
+  if (std::isnan(x + y)) return x + y;
+  const double forward = y < 0 ? -x : x, up = std::abs(y);  // half a turn less, in the upper half
+  const int eighth = (y < 0 ? 0 : 4) + (up >= forward) + (forward <= 0) + (up <= -forward);
+  return (eighth + 0.5) / 8;
+}
 Eigen::Vector2d on_circle(double turn) {
   const double phi = 2 * pi * (turn - 0.5);
   return {std::cos(phi), std::sin(phi)};
@@ -19,6 +26,11 @@ Eigen::Vector2d on_circle(double turn) {
 Eigen::Vector3d at_height(double z, double turn) {
   const Eigen::Vector2d ring = std::sqrt((1 - z) * (1 + z)) * on_circle(turn);
   return {ring.x(), ring.y(), z};
+}
+
+// How far a unit vector is below the pole, along the axis: never negative by rounding.
+double drop(const Eigen::Vector3d& w) {
+  return w.z() > 0 ? w.head<2>().squaredNorm() / (1 + w.z()) : 1 - w.z();
 }
 
 double half_sector(const PolygonDomain& polygon) { return pi / polygon.corners; }
@@ -35,6 +47,9 @@ double DiskDomain::size() const { return pi * radius * radius; }
 Eigen::Vector2d DiskDomain::at(double s, double t) const { return radius * std::sqrt(s) * on_circle(t); }
 Eigen::Vector2d DiskDomain::coordinates(const Eigen::Vector2d& x) const {
   return {x.squaredNorm() / (radius * radius), turn(x.x(), x.y())};
+}
+Eigen::Vector2d DiskDomain::eighths(const Eigen::Vector2d& x) const {
+  return {x.squaredNorm() / (radius * radius), eighth_of_turn(x.x(), x.y())};
 }
 
 double PolygonDomain::size() const { return corners * radius * radius * std::sin(2 * half_sector(*this)) / 2; }
@@ -60,6 +75,9 @@ Eigen::Vector3d HemisphereDomain::at(double s, double t) const { return at_heigh
 Eigen::Vector2d HemisphereDomain::coordinates(const Eigen::Vector3d& w) const {
   return {w.z(), turn(w.x(), w.y())};
 }
+Eigen::Vector2d HemisphereDomain::eighths(const Eigen::Vector3d& w) const {
+  return {w.z(), eighth_of_turn(w.x(), w.y())};
+}
 
 CapDomain::CapDomain(double height, const Eigen::Vector3d& axis)
     : height_(height), turned_(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(0, 0, 1), axis)) {}
@@ -67,9 +85,11 @@ double CapDomain::size() const { return 2 * pi * height_; }
 Eigen::Vector3d CapDomain::at(double s, double t) const { return turned_ * at_height(1 - height_ * s, t); }
 Eigen::Vector2d CapDomain::coordinates(const Eigen::Vector3d& w) const {
   const Eigen::Vector3d local = turned_.transpose() * w;
-  const double ring = local.head<2>().squaredNorm();
-  const double drop = local.z() > 0 ? ring / (1 + local.z()) : 1 - local.z();  // never negative by rounding
-  return {drop / height_, turn(local.x(), local.y())};
+  return {drop(local) / height_, turn(local.x(), local.y())};
+}
+Eigen::Vector2d CapDomain::eighths(const Eigen::Vector3d& w) const {
+  const Eigen::Vector3d local = turned_.transpose() * w;
+  return {drop(local) / height_, eighth_of_turn(local.x(), local.y())};
 }
 
 LuneDomain::LuneDomain(const Eigen::Vector3d& first, const Eigen::Vector3d& second)
@@ -93,6 +113,9 @@ double SphereDomain::size() const { return 4 * pi * radius * radius; }
 Eigen::Vector3d SphereDomain::at(double s, double t) const { return at_height(2 * s - 1, t); }
 Eigen::Vector2d SphereDomain::coordinates(const Eigen::Vector3d& n) const {
   return {(n.z() + 1) / 2, turn(n.x(), n.y())};
+}
+Eigen::Vector2d SphereDomain::eighths(const Eigen::Vector3d& n) const {
+  return {(n.z() + 1) / 2, eighth_of_turn(n.x(), n.y())};
 }
 
 }  // namespace fairlight

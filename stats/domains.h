@@ -8,7 +8,8 @@ namespace fairlight {
 
 /// A domain is an image of the unit square that preserves areas up to one constant, `size()`, so that a density
 /// integrates over it as over the square, and cells of the square are cells of it. `at(s, t)` is the point of the
-/// square's (s, t); `coordinates(x)` the inverse. A one-dimensional domain ignores t, and gives 1/2 for it.
+/// square's (s, t); `coordinates(x)` the inverse. A one-dimensional domain ignores t, and gives 1/2 for it. Where t is a turn, `eighths(x)` is
+/// the same but for t, of which it gives the middle of its eighth: so much is known without an arc tangent.
 
 /// The interval [low, high]. Points are numbers.
 struct IntervalDomain {
@@ -37,6 +38,7 @@ struct DiskDomain {
   double size() const;
   Eigen::Vector2d at(double s, double t) const;
   Eigen::Vector2d coordinates(const Eigen::Vector2d& x) const;
+  Eigen::Vector2d eighths(const Eigen::Vector2d& x) const;
 };
 
 /// The regular polygon about the origin with the given number of corners, at the given distance, the first at an angle
@@ -57,6 +59,7 @@ struct HemisphereDomain {
   double size() const;
   Eigen::Vector3d at(double s, double t) const;
   Eigen::Vector2d coordinates(const Eigen::Vector3d& w) const;
+  Eigen::Vector2d eighths(const Eigen::Vector3d& w) const;
 };
 
 /// Directions about an axis, a unit vector, down to `height` = 1 - cos of the angle to it, in (0,2].
@@ -67,6 +70,7 @@ class CapDomain {
   double size() const;
   Eigen::Vector3d at(double s, double t) const;
   Eigen::Vector2d coordinates(const Eigen::Vector3d& w) const;
+  Eigen::Vector2d eighths(const Eigen::Vector3d& w) const;
 
  private:
   double height_;
@@ -95,6 +99,7 @@ struct SphereDomain {
   double size() const;
   Eigen::Vector3d at(double s, double t) const;
   Eigen::Vector2d coordinates(const Eigen::Vector3d& n) const;
+  Eigen::Vector2d eighths(const Eigen::Vector3d& n) const;
 };
 
 /// The numbers 0 .. n-1, whose "density" is a probability; one cell each.

@@ -42,7 +42,8 @@ double checked_density(double value, double s, double t);
 /// that is negative or not finite, saying where.
 LawCells cells_of_square(int rows, int columns, const std::function<double(double s, double t)>& density);
 
-/// The cells' probabilities, by quadrature of `pdf(point)` over the domain: 16 x 8 cells, or 128 of an interval.
+/// The cells' probabilities, by quadrature of `pdf(point)` over the domain: 16 x 8 cells, eighths of a turn where it has one, or 128 of an
+/// interval.
 template <class Domain, class Pdf>
 LawCells law_cells(const Domain& domain, const Pdf& pdf) {
   constexpr bool line = std::is_same_v<Domain, IntervalDomain>;
@@ -82,6 +83,16 @@ namespace detail {
 struct ToldToEnd {};
 
 Finding refuted_density(const Trial& trial, const std::string& why);
+
+/// A point's place in the square, or one in the same cell.
+template <class Domain, class Point>
+Eigen::Vector2d place_of_cell(const Domain& domain, const Point& x) {
+  if constexpr (requires { domain.eighths(x); }) {
+    return domain.eighths(x);
+  } else {
+    return domain.coordinates(x);
+  }
+}
 }  // namespace detail
 
 /// Draws follow their density, which is nowhere negative, is positive where they fall and integrates to one over the domain.
@@ -107,7 +118,7 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
       const auto x = draw(i);
       const double density = pdf(x);
       if (!(density > 0 && std::isfinite(density))) throw BadDraw(i, density, "the density where it fell");
-      const Eigen::Vector2d place = domain.coordinates(x);
+      const Eigen::Vector2d place = detail::place_of_cell(domain, x);
       check_place(i, place);
       ++counts[cells.index(place)];
     }

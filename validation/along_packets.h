@@ -31,13 +31,16 @@ class AlongPackets {
       : trial_(trial), draw_(draw), references_(references), packets_(trial, references, draw) {}
 
   /// How it takes the least time, and less than double alone, as pilots foresee, if at all: not where the range is so wide that it alone
-  /// says how many draws there must be. A packet is taken to cost what a draw in double does. A pilot that is out of its range is
-  /// left to double.
+  /// says how many draws there must be, nor where these are so few that pilots cost more than they save. A pilot that is out of its range is left to
+  /// double.
   std::optional<PacketPlan> pays() const try {
     if (std::ranges::none_of(PacketPlan::shares, [this](double share) { return fits(share); })) return std::nullopt;
-    const auto pilots = packets_.pilots();
+    auto pilots = packets_.independent_pilots();
     double least = lanes<Packet> * pilots.independent(1).cost;
-    if (pilots.cheapest(PacketPlan::shares.front()).cost > least) return std::nullopt;
+    if (least < few) return std::nullopt;
+    pilots.add_sets();
+    const double packet = draws_a_packet();
+    if (packet * pilots.cheapest(PacketPlan::shares.front()).cost > least) return std::nullopt;
     const double pilot_size = std::clamp(least / 1000, 512.0, 16384.0);  // rare differences may say most
     std::vector differences(references_.size(), std::vector<double>(static_cast<std::size_t>(pilot_size)));
     difference_draws(" pilot")(0, differences);
@@ -45,8 +48,8 @@ class AlongPackets {
     for (const double share : PacketPlan::shares) {
       if (!fits(share)) continue;
       const auto [points, cost] = pilots.cheapest(share);
-      const double whole =
-          cost + (1 + 1.0 / lanes<Packet>)*expected_draws(trial_, difference_references(share), differences);
+      const double whole = packet * cost + (1 + packet / lanes<Packet>)*expected_draws(
+                                               trial_, difference_references(share), differences);
       if (whole > least) continue;
       least = whole;
       plan = PacketPlan{points, share};
@@ -94,6 +97,27 @@ class AlongPackets {
         return false;
     }
     return true;
+  }
+
+  static constexpr double few = 16384;
+
+  // How many draws in double take as long as a packet: twice as many as it has lanes' numbers for one of theirs, as its lanes wait for the
+  // longest.
+  double draws_a_packet() const {
+    const StreamKey key(trial_.seed, trial_.claim + " in double length");
+    std::size_t by_packets = 0, by_lanes = 0;
+    for (std::uint64_t first = 0; first < 32 * lanes<Packet>; first += lanes<Packet>) {
+      Recording recording(key, first);
+      StreamNumbers<Packet> numbers(recording);
+      draw_(std::type_identity<Packet>{}, numbers);
+      by_packets += lanes<Packet> * numbers.drawn();
+      for (std::size_t i = 0; i < lanes<Packet>; ++i) {
+        StreamNumbers<double> finer(key, recording, i);
+        draw_(std::type_identity<double>{}, finer);
+        by_lanes += finer.drawn();
+      }
+    }
+    return by_lanes > 0 ? 2 * static_cast<double>(by_packets) / static_cast<double>(by_lanes) : 2;
   }
 
   // The trial of the first part, or the second.

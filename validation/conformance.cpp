@@ -12,6 +12,7 @@ namespace fairlight {
 namespace {
 
 constexpr double first_turn = 0.002;  // seconds
+constexpr double soon = 0.2;          // what ends so soon need not be sorted
 constexpr double between_words = 0.05;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -69,7 +70,8 @@ class Run {
   }
 
   // Runs a claim from its start, and for so many seconds at most from its first draws: what it does before them, such as a law's
-  // quadrature, says nothing of what they will cost. As that is to be done once more in another turn, a turn is at least as long.
+  // quadrature, says nothing of what they will cost. As that is to be done once more in another turn, a turn is at least as long; and where
+  // there is time for all claims, it goes on to a verdict that is near.
   void take_turn(std::size_t i, double most) {
     const Clock clock;
     Turn turn{outcomes_[i].seconds};
@@ -105,10 +107,11 @@ class Run {
       turn.first = now;
       turn.first_done = done;
     }
-    turn.ended = now - turn.first > std::max(most, turn.first) || time_is_up();
+    turn.left = done > turn.first_done ? (now - turn.first) * (1 - done) / (done - turn.first_done)
+                                       : now / done - now;
+    const bool near = conformance_.seconds == unlimited && turn.left < soon;
+    turn.ended = (now - turn.first > std::max(most, turn.first) && !near) || time_is_up();
     if (turn.ended || now - turn.told > between_words) {
-      turn.left =
-          done > turn.first_done ? (now - turn.first) * (1 - done) / (done - turn.first_done) : now / done - now;
       turn.told = now;
       foresee(i, turn.before + now, turn.left);
     }

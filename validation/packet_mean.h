@@ -40,7 +40,7 @@ class PacketMean {
     /// Independent numbers, for a mean that has this share of the margin. Throws BadDraw for a draw that its reference rules out.
     Choice independent(double share) const { return cost(0, share); }
 
-    /// The points that take the least time. A packet of points is taken to cost what two others do.
+    /// The points that take the least time. Two packets of points are taken to cost what three others do.
     Choice cheapest(double share) const {
       Choice best = independent(share);
       for (std::size_t i = 1; i < draws_.size(); ++i) {
@@ -49,14 +49,16 @@ class PacketMean {
       return best;
     }
 
+    /// So that points are among the numbers that are weighed.
+    void add_sets() {
+      for (const std::uint32_t points : set_sizes) add(points, 64);
+    }
+
    private:
     friend PacketMean;
     using Channels = std::vector<std::vector<double>>;
 
     explicit Pilots(const PacketMean& mean) : mean_(mean) { add(1, 1024); }
-    void add_sets() {
-      for (const std::uint32_t points : set_sizes) add(points, 64);
-    }
 
     void add(std::uint32_t points, std::size_t draws) {
       Channels channels(mean_.references_.size(), std::vector<double>(draws));
@@ -67,19 +69,14 @@ class PacketMean {
     Choice cost(std::size_t i, double share) const {
       const auto& [points, channels] = draws_[i];
       const double draws = expected_draws(mean_.trial_, mean_.references(points, share), channels);
-      return {points, (points == 1 ? 1 : 2 * points) * draws / lanes<Packet>};
+      return {points, (points == 1 ? 1 : 1.5 * points) * draws / lanes<Packet>};
     }
 
     const PacketMean& mean_;
     std::vector<std::pair<std::uint32_t, Channels>> draws_;
   };
 
-  /// Of independent numbers, and of every number of points.
-  Pilots pilots() const& {
-    Pilots pilots(*this);
-    pilots.add_sets();
-    return pilots;
-  }
+  Pilots independent_pilots() const& { return Pilots(*this); }
 
   /// Which points take the least time for a mean that has all of the margin, where independent numbers would take more than so many draws;
   /// independent ones where a pilot is out of its range.

@@ -81,17 +81,11 @@ Finding check_sets(const Trial& trial, const std::vector<Reference>& references,
     return Real(sum / Real(static_cast<Lane<Real>>(n)));
   };
   return test_means(trial, rounded_references<Real>(references),
-                    [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-                      const std::size_t count = channels[0].size();
-                      if ((first + count) >> 32 != 0)
+                    draws_at_once<Real>(references.size(), [&](std::uint64_t first, const auto& places) {
+                      if ((first + lanes<Real>) >> 32 != 0)
                         throw NoMoreDraws("sets have run out (there are 2^32 of one key)");
-                      for (std::size_t i = 0; i < count; i += lanes<Real>) {
-                        std::array<double, lanes<Real>> values{};
-                        store_lanes(means(first + i), values.data());
-                        std::copy_n(values.begin(), std::min(lanes<Real>, count - i),
-                                    channels[0].begin() + static_cast<long>(i));
-                      }
-                    });
+                      store_lanes(means(first), places[0]);
+                    }));
 }
 
 /// The integral of x0 x1 x2 x3 over the cube is 1/16: of a pair and a single number at one vertex, and one at the next.

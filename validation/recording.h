@@ -56,9 +56,12 @@ class StreamNumbers<xsimd::batch<float, A>> {
 
   xsimd::batch<float, A> next() {
     const auto number = stream_.next();
-    if (recording_ != nullptr) recording_->keep(dimension_++, number);
+    if (recording_ != nullptr) recording_->keep(dimension_, number);
+    ++dimension_;
     return number;
   }
+  /// How many it has given.
+  std::size_t drawn() const { return dimension_; }
 
  private:
   PhiloxStream<xsimd::batch<float, A>> stream_;
@@ -74,7 +77,11 @@ class StreamNumbers<double> {
   StreamNumbers(const StreamKey& key, Recording& recording, std::size_t lane)
       : stream_(key, 0, 0), recording_(&recording), lane_(lane) {}
 
-  double next() { return recording_ == nullptr ? stream_.next() : recording_->in_double(dimension_++, lane_); }
+  double next() {
+    const std::size_t dimension = dimension_++;
+    return recording_ == nullptr ? stream_.next() : recording_->in_double(dimension, lane_);
+  }
+  std::size_t drawn() const { return dimension_; }
 
  private:
   PhiloxStream<double> stream_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -33,7 +34,7 @@ inline const std::vector<LightSearch> searches_of_rectangles{
 /// Source: Cohen, Dalal, Fredman, Patton 1997 (IEEE TSE 23:437)
 class StrategyCross {
  public:
-  /// Of paths of at most `depth` bounces.
+  /// Of paths of at most `depth` bounces; of three where bounces are uniform, each of which doubles what a path may bring.
   StrategyCross(const std::vector<LightSearch>& searches, int depth) {
     if (searches.size() >= most) throw std::invalid_argument("there are too many searches to be crossed");
     for (std::size_t bounce = 0; bounce < bounces.size(); ++bounce) {
@@ -108,7 +109,7 @@ class StrategyCross {
     settings.filter = filters[row[5]];
     settings.aperture = apertures[row[6]];
     settings.real = reals[row[7]];
-    settings.max_depth = depth;
+    settings.max_depth = settings.bounce == "uniform" ? std::min(depth, 3) : depth;
     return settings;
   }
 

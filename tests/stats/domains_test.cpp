@@ -31,6 +31,34 @@ void check_area(const Domain& domain, double scale) {
   }));
 }
 
+// Where an eighth of a turn ends the two may round to different sides.
+template <class Domain>
+void check_eighths(const Domain& domain) {
+  EXPECT_TRUE(rc::check([domain] {
+    const Eigen::Vector2d u = *testing::unit_point();
+    const double eighths = 8 * u.y();
+    RC_PRE(u.x() > 1e-6 && u.x() < 1 - 1e-6 && std::abs(eighths - std::round(eighths)) > 1e-6);
+    const auto x = domain.at(u.x(), u.y());
+    RC_ASSERT(domain.eighths(x) == Eigen::Vector2d(domain.coordinates(x).x(), (std::floor(eighths) + 0.5) / 8));
+  }));
+}
+
+TEST(Domains, WithATurnKnowItsEighths) {
+  check_eighths(DiskDomain{2});
+  check_eighths(HemisphereDomain{});
+  check_eighths(CapDomain(0.5, {2.0 / 3, -1.0 / 3, 2.0 / 3}));
+  check_eighths(SphereDomain{3});
+  // A turn starts at -x; the point (-2,-1) is a bit further, and (2,1) half a turn on.
+  EXPECT_EQ(DiskDomain{3}.eighths({-2, -1}).y(), 1.0 / 16);
+  EXPECT_EQ(DiskDomain{3}.eighths({2, 1}).y(), 9.0 / 16);
+}
+
+TEST(Domains, HaveNoEighthForWhatIsNoPlace) {
+  const double none = std::nan("");
+  EXPECT_TRUE(std::isnan(DiskDomain{3}.eighths({none, 1}).y()));
+  EXPECT_TRUE(std::isnan(SphereDomain{1}.eighths({1, none, 0}).y()));
+}
+
 TEST(HemisphereDomain, PreservesAreaAndInverts) {
   check_inverse(HemisphereDomain{});
   check_area(HemisphereDomain{}, 1);

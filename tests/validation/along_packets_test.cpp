@@ -109,7 +109,22 @@ TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   EXPECT_FALSE(pays({2, 0, 4, 1e-7}, 1e-3)) << "a tail that may hide too much";
   EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .rounding = 2e-4}, 1e-3)) << "which 79 % does not take";
   EXPECT_FALSE(pays({2, 0, 2.9}, 1e-3)) << "out of the range";
+  EXPECT_FALSE(pays({2, 0, 4}, 1e-2)) << "so few draws";
   EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .sides = Sides::not_above}, 1e-3));
+}
+
+// As where a packet goes on until the last of its lanes has ended.
+TEST(AlongPackets, DoesNotPayWherePacketsDrawManyMoreNumbers) {
+  const auto pays = [](int more) {
+    const auto draw = [more]<class Real>(std::type_identity<Real> real, auto& source) {
+      const Real ramp_of_the_first = ramp(0, 0)(real, source);
+      for (int i = 0; i < (lanes<Real> > 1 ? more : 0); ++i) source.next();
+      return ramp_of_the_first;
+    };
+    return AlongPackets({"along_packets_test", 1, 1e-6, 0.01, 1e-3}, two, draw).pays().has_value();
+  };
+  EXPECT_TRUE(pays(0));
+  EXPECT_FALSE(pays(40));
 }
 
 TEST(AlongPackets, TakesPointsWhereTheyVaryLess) {

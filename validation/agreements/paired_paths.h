@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <fairlight/stats/evidence.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/agreements/relations.h>
 #include <fairlight/validation/packet_mean.h>
 
@@ -78,18 +79,13 @@ struct PictureBorder {
   }
 };
 
-/// The grey number that draw(type_identity, ray, source) gives along the rays of a camera, of each part of the picture.
+/// The grey number that draw(ray, source) gives along the rays of a camera, of part c of the picture.
 template <class Parts, class Draw>
-auto over_parts(const Camera& camera, const Draw& draw) {
+auto over_part(const Camera& camera, std::size_t c, const Draw& draw) {
   return [=](std::type_identity<Packet>, auto& source) {
-    Eigen::Array<Packet, static_cast<int>(Parts::parts), 1> parts;
-    for (std::size_t c = 0; c < Parts::parts; ++c) {
-      const Vec2<Packet> place = Parts::place(c, next_pair<Packet>(source));
-      const Ray<Packet> ray = camera.template ray<Packet>(place.x(), place.y(), 1, 1, source);
-      const Rgb<Packet> colour = draw(ray, source);
-      parts[static_cast<Eigen::Index>(c)] = (colour[0] + colour[1] + colour[2]) / Packet(3);
-    }
-    return parts;
+    const Vec2<Packet> place = Parts::place(c, next_pair<Packet>(source));
+    const Rgb<Packet> colour = draw(camera.template ray<Packet>(place.x(), place.y(), 1, 1, source), source);
+    return Packet((colour[0] + colour[1] + colour[2]) / Packet(3));
   };
 }
 
@@ -105,6 +101,21 @@ struct PartMeans {
   std::string name, where;
   std::vector<double> means;
 };
+
+/// What is claimed of each part, which has paths of its own, so that none waits for the darkest, and an equal part of alpha.
+template <class Parts, class Draw>
+Finding check_parts(const Trial& trial, const Camera& camera, const std::vector<Reference>& references,
+                    const Draw& draw) {
+  std::vector<Finding> findings;
+  for (std::size_t c = 0; c < Parts::parts; ++c) {
+    Trial part = trial;
+    part.alpha /= Parts::parts;
+    if (Parts::parts > 1) part.claim += formatted(" part %zu", c);
+    part.watch = [&, c](double done) { return goes_on(trial, (static_cast<double>(c) + done) / Parts::parts); };
+    findings.push_back(check_mean_in_packets(part, {references.at(c)}, over_part<Parts>(camera, c, draw)));
+  }
+  return worst_of(findings);
+}
 
 /// The biases that the tests of a trial have seen, of differences, in units of their margins.
 inline void leave_tiles(const Trial& trial, const std::vector<double>& means, std::size_t columns) {
@@ -124,9 +135,9 @@ Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double marg
   const View view = built_in_scene(paths.scene);
   const RadianceAlong difference(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1},
                                  paired_tracers<One>(paths.one, paths.other, view.scene));
-  const auto draw = over_parts<Parts>(view.camera, [=](const Ray<Packet>& ray, auto& source) {
+  const auto draw = [=](const Ray<Packet>& ray, auto& source) {
     return difference.along(ray, std::type_identity<Packet>{}, source);
-  });
+  };
   return {.name = paths.scene + ".paired." + paths.name + "." + parts.name + real_suffix<Packet>(),
           .kind = "agreement",
           .subjects = {"PathTracer", "DirectLight"},
@@ -134,8 +145,8 @@ Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double marg
           .source = "the same integral",
           .margin_factor = margin_factor,
           .check =
-              [=](const Trial& trial) {
-                const Finding finding = check_mean_in_packets(trial, references, draw);
+              [=, camera = view.camera](const Trial& trial) {
+                const Finding finding = check_parts<Parts>(trial, camera, references, draw);
                 if (trial.evidence != nullptr) leave_tiles(trial, parts.means, Parts::columns);
                 return finding;
               },
@@ -149,16 +160,19 @@ Claim presumed_light(const PairedPaths& paths, const PartMeans& parts) {
   for (const double mean : parts.means) references.push_back({mean, 0, -paths.darkest, 0, mean, Sides::not_below});
   const View view = built_in_scene(paths.scene);
   const ReflectedLight<> light(view, paths.other);
-  const auto draw = over_parts<Parts>(view.camera, [=](const Ray<Packet>& ray, auto& source) {
+  const auto draw = [=](const Ray<Packet>& ray, auto& source) {
     return light.along(std::type_identity<Packet>{}, ray, source);
-  });
+  };
   return {.name = paths.scene + ".paired.light." + parts.name + real_suffix<Packet>(),
           .kind = "mean",
           .subjects = {"PathTracer", "DirectLight"},
           .statement = parts.where + " of " + paths.scene + " surfaces reflect as much as margins are relative to",
           .source = "a declared bound, that was measured",
           .margin_factor = 20,
-          .check = [=](const Trial& trial) { return check_mean_in_packets(trial, references, draw); },
+          .check =
+              [=, camera = view.camera](const Trial& trial) {
+                return check_parts<Parts>(trial, camera, references, draw);
+              },
           .real = real_name<Packet>()};
 }
 

@@ -18,10 +18,11 @@ auto roulette_walk(const std::string& name, const std::string& subject, int firs
                    const Roulette& roulette = Roulette()) {
   const Rgb<double> albedo(0.125, 0.25, 0.05);
   const double q = albedo.maxCoeff();
-  constexpr int vertices = 12;
+  const int vertices = 16 + first;  // so that the tail is nothing to the finest margins
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
-    references.push_back({1 / (1 - albedo[c]), 0, 2 * vertices, 2 * std::pow(q, vertices + 1 - first) / (1 - q)});
+    references.push_back(
+        {1 / (1 - albedo[c]), 0, 2.0 * vertices, 2 * std::pow(q, vertices + 1 - first) / (1 - q)});
   }
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Rgb<Real> reflectance(rounded<Real>(albedo[0]), rounded<Real>(albedo[1]), rounded<Real>(albedo[2]));
@@ -56,13 +57,13 @@ auto later_roulette_walk() {
 }
 
 /// How many vertices a path has, which is what it costs, on surfaces that reflect 1/4 at most. That it is longer shows in no mean of
-/// what it carries. The tail, E[(N - 12)+], is that of a path that goes on with 1/4 always; it is the same where the first bounce is
+/// what it carries. The tail, E[(N - 17)+], is that of a path that goes on with 1/4 always; it is the same where the first bounce is
 /// certain and the second has 1/16.
 template <class Roulette>
 auto walk_length(const std::string& name, const std::string& subject, const std::string& statement, double mean,
                  const Roulette& roulette) {
   constexpr double q = 0.25;
-  constexpr int vertices = 12;
+  constexpr int vertices = 17;
   const auto draw = [roulette]<class Real>(std::type_identity<Real>, auto& source) {
     const Rgb<Real> reflectance(Real(0.125), Real(q), Real(0.0625));
     Rgb<Real> throughput = Rgb<Real>::Ones();
