@@ -18,6 +18,15 @@ struct Path {
   Real depth = Real(0);    ///< how many bounces it has made
 };
 
+/// Lanes in which another path begins, along a ray that is theirs already.
+template <class Real>
+void begin_paths(Path<Real>& path, const Mask<Real>& begins) {
+  path.throughput = select(begins, Rgb<Real>(Rgb<Real>::Constant(Real(1))), path.throughput);
+  path.radiance = select(begins, zero<Rgb<Real>>(), path.radiance);
+  path.density = select(begins, Real(0), path.density);
+  path.depth = select(begins, Real(0), path.depth);
+}
+
 /// How diffuse surfaces are sampled: Directions is the hemisphere's law.
 template <template <class> class Directions>
 struct BouncesBy {

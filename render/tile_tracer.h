@@ -139,10 +139,7 @@ class TileTracer : public TileRenderer {
       }();
       const Mask<Real> starts = expand(given, ones.data(), Real(0)) > Real(0);
       path.ray.leaving = select(starts, Real(-1), path.ray.leaving);
-      path.throughput = select(starts, Rgb<Real>(Rgb<Real>::Constant(Real(1))), path.throughput);
-      path.radiance = select(starts, zero<Rgb<Real>>(), path.radiance);
-      path.density = select(starts, Real(0), path.density);
-      path.depth = select(starts, Real(0), path.depth);
+      begin_paths(path, starts);
       alive = alive || starts;
     }
 

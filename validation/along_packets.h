@@ -10,13 +10,12 @@
 
 namespace fairlight {
 
-/// How many points a replicate has that packets draw with, 1 for independent numbers, and the packets' share of the margin. What the largest
-/// share leaves of a margin of 1e-4 is four times the rounding of floats, the least that a test by betting takes; where the difference is
+/// How the numbers of packets are spread, and their share of the margin. What the largest share leaves of a margin of 1e-4 is four times the rounding of floats, the least that a test by betting takes; where the difference is
 /// dear, as paths in floats part from those in double, it is given more.
 struct PacketPlan {
   static constexpr std::array shares{0.79, 0.6, 0.4};
 
-  std::uint32_t points = 1;
+  Spread spread;
   double share = shares.front();
 };
 
@@ -35,8 +34,8 @@ class AlongPackets {
   /// double.
   std::optional<PacketPlan> pays() const try {
     if (std::ranges::none_of(PacketPlan::shares, [this](double share) { return fits(share); })) return std::nullopt;
-    auto pilots = packets_.independent_pilots();
-    double least = lanes<Packet> * pilots.independent(1).cost;
+    auto pilots = packets_.pilots();
+    double least = lanes<Packet> * pilots.one_by_one(1).cost;
     if (least < few) return std::nullopt;
     pilots.add_sets();
     const double packet = draws_a_packet();
@@ -47,12 +46,12 @@ class AlongPackets {
     std::optional<PacketPlan> plan;
     for (const double share : PacketPlan::shares) {
       if (!fits(share)) continue;
-      const auto [points, cost] = pilots.cheapest(share);
+      const auto [spread, cost] = pilots.cheapest(share);
       const double whole = packet * cost + (1 + packet / lanes<Packet>)*expected_draws(
                                                trial_, difference_references(share), differences);
       if (whole > least) continue;
       least = whole;
-      plan = PacketPlan{points, share};
+      plan = PacketPlan{spread, share};
     }
     return plan;
   } catch (const BadDraw&) {
@@ -63,7 +62,7 @@ class AlongPackets {
   /// does.
   Finding finding(const PacketPlan& plan) const {
     Evidence of_packets, of_difference;
-    const std::vector<Finding> packets = packets_.test_each(part(0, of_packets), plan.points, plan.share);
+    const std::vector<Finding> packets = packets_.test_each(part(0, of_packets), plan.spread, plan.share);
     const bool go_on = worst_of(packets).verdict == Verdict::certified;
     std::vector<Finding> differences(packets.size(), Finding{.verdict = Verdict::certified});
     if (go_on)
@@ -74,8 +73,9 @@ class AlongPackets {
       sums.push_back(detail::sum_of(trial_, packets[c], differences[c], plan.share));
     }
     Finding whole = worst_of(sums);
-    const char* seen = plan.points > 1 ? "seen in packets of floats over Sobol' points, which it is drawn along"
-                                       : "seen in packets of floats, which it is drawn along";
+    const char* seen = plan.spread.over_points
+                           ? "seen in packets of floats over Sobol' points, which it is drawn along"
+                           : "seen in packets of floats, which it is drawn along";
     if (!go_on) whole.note = detail::note_on(seen, whole.note);
     return whole;
   }
@@ -87,7 +87,7 @@ class AlongPackets {
 
   // Whether both parts can be tested to their shares of the margin.
   bool fits(double share) const {
-    const std::vector<Reference> packets = packets_.references(1, share),
+    const std::vector<Reference> packets = packets_.references({}, share),
                                  differences = difference_references(share);
     for (std::size_t c = 0; c < references_.size(); ++c) {
       const Reference& r = references_[c];
@@ -101,8 +101,7 @@ class AlongPackets {
 
   static constexpr double few = 16384;
 
-  // How many draws in double take as long as a packet: twice as many as it has lanes' numbers for one of theirs, as its lanes wait for the
-  // longest.
+  // How many draws in double take as long as a packet: as many as it has numbers for one of a draw's, as its lanes wait for the longest.
   double draws_a_packet() const {
     const StreamKey key(trial_.seed, trial_.claim + " in double length");
     std::size_t by_packets = 0, by_lanes = 0;
@@ -117,7 +116,7 @@ class AlongPackets {
         by_lanes += finer.drawn();
       }
     }
-    return by_lanes > 0 ? 2 * static_cast<double>(by_packets) / static_cast<double>(by_lanes) : 2;
+    return by_lanes > 0 ? static_cast<double>(by_packets) / static_cast<double>(by_lanes) : 1;
   }
 
   // The trial of the first part, or the second.

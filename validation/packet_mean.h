@@ -12,8 +12,18 @@
 
 namespace fairlight {
 
-/// The mean of `draw(type_identity<Packet>, source)` from independent numbers, or over replicates of Sobol's points: it does not depend on
-/// how numbers are spread, and from points it varies less. A number of points says which: 1 where numbers are independent.
+/// How the numbers of a packet's draws are spread: each draw for itself; or each the mean of several in a row, where a draw can be made
+/// so, or over a replicate of points. The mean is the same, but it varies less, or takes less time.
+struct Spread {
+  std::uint32_t count = 1;  ///< of draws that one is the mean of
+  bool over_points = false;
+
+  /// What one takes, in packets: in a row lanes do not wait for each other, while points take some time to find.
+  double packets() const { return (over_points ? 1.5 : count > 1 ? 0.6 : 1) * count / lanes<Packet>; }
+};
+
+/// The mean of `draw(type_identity<Packet>, source)`, from numbers that are spread so or so. One that has `in_a_row` as RadianceAlong has it is
+/// drawn so too.
 /// Source   Owen 1995 (the points)
 template <class Draw>
 class PacketMean {
@@ -25,85 +35,115 @@ class PacketMean {
       : trial_(trial), references_(rounded_references<Packet>(references)), draw_(draw) {}
 
   /// What is claimed of draws, where the mean has this share of the margin.
-  std::vector<Reference> references(std::uint32_t points, double share) const {
-    return detail::with_share(points == 1 ? references_ : replicate_references(references_, points), share);
+  std::vector<Reference> references(const Spread& spread, double share) const {
+    return detail::with_share(spread.count == 1 ? references_ : replicate_references(references_, spread.count),
+                              share);
   }
 
   struct Choice {
-    std::uint32_t points;
+    Spread spread;
     double cost;  ///< in packets
   };
 
   /// What a few draws say of all, however the numbers are spread.
   class Pilots {
    public:
-    /// Independent numbers, for a mean that has this share of the margin. Throws BadDraw for a draw that its reference rules out.
-    Choice independent(double share) const { return cost(0, share); }
+    /// Each draw for itself, for a mean that has this share of the margin. Throws BadDraw for a draw that its reference rules out.
+    Choice one_by_one(double share) const { return cost(0, share); }
 
-    /// The points that take the least time. Two packets of points are taken to cost what three others do.
+    /// What takes the least time.
     Choice cheapest(double share) const {
-      Choice best = independent(share);
+      Choice best = one_by_one(share);
       for (std::size_t i = 1; i < draws_.size(); ++i) {
         if (const Choice other = cost(i, share); other.cost < best.cost) best = other;
       }
       return best;
     }
 
-    /// So that points are among the numbers that are weighed.
+    /// So that points are among what is weighed.
     void add_sets() {
-      for (const std::uint32_t points : set_sizes) add(points, 64);
+      for (const std::uint32_t points : set_sizes) add({points, true}, 64);
     }
 
    private:
     friend PacketMean;
     using Channels = std::vector<std::vector<double>>;
 
-    explicit Pilots(const PacketMean& mean) : mean_(mean) { add(1, 1024); }
+    explicit Pilots(const PacketMean& mean) : mean_(mean) {
+      add({}, 1024);
+      if (can_be_in_a_row) add({paths_in_a_row}, 128);
+    }
 
-    void add(std::uint32_t points, std::size_t draws) {
+    void add(const Spread& spread, std::size_t draws) {
       Channels channels(mean_.references_.size(), std::vector<double>(draws));
-      mean_.draws(points, " pilot")(0, channels);
-      draws_.emplace_back(points, std::move(channels));
+      mean_.draws(spread, " pilot")(0, channels);
+      draws_.emplace_back(spread, std::move(channels));
     }
 
     Choice cost(std::size_t i, double share) const {
-      const auto& [points, channels] = draws_[i];
-      const double draws = expected_draws(mean_.trial_, mean_.references(points, share), channels);
-      return {points, (points == 1 ? 1 : 1.5 * points) * draws / lanes<Packet>};
+      const auto& [spread, channels] = draws_[i];
+      return {spread, spread.packets() * expected_draws(mean_.trial_, mean_.references(spread, share), channels)};
     }
 
     const PacketMean& mean_;
-    std::vector<std::pair<std::uint32_t, Channels>> draws_;
+    std::vector<std::pair<Spread, Channels>> draws_;
   };
 
-  Pilots independent_pilots() const& { return Pilots(*this); }
+  /// Of independent numbers.
+  Pilots pilots() const& { return Pilots(*this); }
 
-  /// Which points take the least time for a mean that has all of the margin, where independent numbers would take more than so many draws;
-  /// independent ones where a pilot is out of its range.
-  std::uint32_t cheapest_points(double many) const try {
+  /// What takes the least time for a mean that has all of the margin: over points only where independent numbers would take more than so many
+  /// draws. One by one where a pilot is out of its range.
+  Spread cheapest(double many) const try {
     Pilots pilots(*this);
-    const double draws = lanes<Packet> * pilots.independent(1).cost;
-    if (draws > many) pilots.add_sets();
-    return pilots.cheapest(1).points;
+    if (lanes<Packet> * pilots.one_by_one(1).cost > many) pilots.add_sets();
+    return pilots.cheapest(1).spread;
   } catch (const BadDraw&) {
-    return 1;
+    return {};
   }
 
   /// What test_means finds of each channel, and throws, its draws counted one by one. The levels are those of this trial, the numbers those of
   /// the mean's own.
-  std::vector<Finding> test_each(const Trial& trial, std::uint32_t points, double share = 1) const {
-    std::vector<Finding> findings = test_each_mean(trial, references(points, share), draws(points, ""));
-    for (Finding& each : findings) each.draws *= points;
+  std::vector<Finding> test_each(const Trial& trial, const Spread& spread, double share = 1) const {
+    std::vector<Finding> findings = test_each_mean(trial, references(spread, share), draws(spread, ""));
+    for (Finding& each : findings) each.draws *= spread.count;
     return findings;
   }
 
  private:
+  using Ignored = decltype([](const Mask<Packet>&, const Rgb<Packet>&) {});
+  static constexpr bool can_be_in_a_row = requires(const Draw& draw, StreamNumbers<Packet>& source) {
+    draw.in_a_row(1, source, Ignored());
+  };
+  static constexpr std::uint32_t paths_in_a_row = 8;
+
   // What a tail may hide of draws it may hide of their means, at most (Jensen).
-  DrawBlock draws(std::uint32_t points, const std::string& purpose) const {
+  DrawBlock draws(const Spread& spread, const std::string& purpose) const {
     const auto in_packets = [draw = draw_](auto& source) { return draw(std::type_identity<Packet>{}, source); };
-    const StreamKey key(trial_.seed, trial_.claim + (points == 1 ? "" : " over points") + purpose);
-    return points == 1 ? independent_draws<Packet>(key, references_.size(), in_packets)
-                       : replicate_draws<OwenSobol<Packet>>(key, references_, in_packets, points);
+    const StreamKey key(trial_.seed, trial_.claim + (spread.over_points ? " over points" : "") + purpose);
+    if (spread.over_points) return replicate_draws<OwenSobol<Packet>>(key, references_, in_packets, spread.count);
+    if constexpr (can_be_in_a_row) {
+      if (spread.count > 1) return row_draws(key, static_cast<int>(spread.count));
+    }
+    return independent_draws<Packet>(key, references_.size(), in_packets);
+  }
+
+  // Each of the draws that one is the mean of is held to its range.
+  DrawBlock row_draws(const StreamKey& key, int count) const requires can_be_in_a_row {
+    Rgb<Packet> inside;
+    for (std::size_t c = 0; c < 3; ++c)
+      inside[static_cast<int>(c)] = Packet(static_cast<float>(references_.at(c).mean));
+    return draws_at_once<Packet>(references_.size(), [key, count, inside, draw = draw_, references = references_](
+                                                         std::uint64_t first, const auto& places) {
+      StreamNumbers<Packet> source(key, first);
+      Rgb<Packet> sum = zero<Rgb<Packet>>();
+      draw.in_a_row(count, source, [&](const Mask<Packet>& ended, const Rgb<Packet>& found) {
+        detail::require_in_range(first, Rgb<Packet>(select(ended, found, inside)), references);
+        sum += select(ended, found, zero<Rgb<Packet>>());
+      });
+      for (std::size_t c = 0; c < places.size(); ++c)
+        store_lanes(Packet(sum[static_cast<int>(c)] / Packet(static_cast<float>(count))), places[c]);
+    });
   }
 
   Trial trial_;
@@ -125,9 +165,9 @@ template <class Draw>
 Finding check_mean_in_packets(const Trial& trial, const std::vector<Reference>& references, const Draw& draw,
                               double many = 1 << 27) {
   const PacketMean mean(trial, references, draw);
-  const std::uint32_t points = detail::is_heard(trial) ? 1 : mean.cheapest_points(many);
-  Finding finding = worst_of(mean.test_each(trial, points));
-  if (points > 1 && finding.verdict != Verdict::certified)
+  const Spread spread = detail::is_heard(trial) ? Spread() : mean.cheapest(many);
+  Finding finding = worst_of(mean.test_each(trial, spread));
+  if (spread.over_points && finding.verdict != Verdict::certified)
     finding.note = detail::note_on("seen over Sobol' points", finding.note);
   return finding;
 }

@@ -8,6 +8,13 @@
 
 namespace fairlight {
 
+/// Whether it is the path tracer itself, of whatever components, so that its paths may be followed vertex by vertex. What is made from one
+/// may see radiance in a way of its own.
+template <class Tracer>
+inline constexpr bool is_path_tracer = false;
+template <class Bounces, class Direct, class Roulette>
+inline constexpr bool is_path_tracer<PathTracer<Bounces, Direct, Roulette>> = true;
+
 /// What a path tracer sees along a ray of a scene, in every arithmetic: draw(type_identity<Real>, source) gives an Rgb<Real>.
 /// `make(type_identity<Real>)` gives the tracer of a Real.
 template <class Make>
@@ -21,11 +28,31 @@ class RadianceAlong {
 
   template <class Real, class Source>
   Rgb<Real> operator()(std::type_identity<Real> real, Source& source) const {
-    const auto in_lanes = [](const Vec3<double>& v) {
-      return Vec3<Real>(rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z()));
-    };
-    return along(Ray<Real>{in_lanes(ray_.origin), in_lanes(ray_.direction), rounded<Real>(ray_.leaving)}, real,
-                 source);
+    return along(ray<Real>(), real, source);
+  }
+
+  /// So many paths in each lane of a packet, one after the other: a lane whose path has ended does not wait for the others.
+  /// `found(ended, radiance)` is told of the lanes whose path has just ended.
+  template <class Source, class Found>
+  void in_a_row(int paths, Source& source, const Found& found) const requires
+      is_path_tracer<decltype(std::declval<Make>()(std::type_identity<Packet>{}))> {
+    const Ray<Packet> first = ray<Packet>();
+    Path<Packet> path{first};
+    Packet left(static_cast<float>(paths - 1));
+    for (Mask<Packet> alive(true); any(alive);) {
+      const Mask<Packet> before = alive;
+      alive = std::get<1>(tracers_).template advance<Packet>(*std::get<1>(scenes_), path, source, alive);
+      const Mask<Packet> ended = before && !alive;
+      if (!any(ended)) continue;
+      found(ended, path.radiance);
+      const Mask<Packet> begins = ended && left > Packet(0);
+      left -= select(begins, Packet(1), Packet(0));
+      path.ray = {select(begins, first.origin, path.ray.origin),
+                  select(begins, first.direction, path.ray.direction),
+                  select(begins, first.leaving, path.ray.leaving)};
+      begin_paths(path, begins);
+      alive = alive || begins;
+    }
   }
 
   /// Along another ray of the same scene.
@@ -36,6 +63,14 @@ class RadianceAlong {
   }
 
  private:
+  template <class Real>
+  Ray<Real> ray() const {
+    const auto in_lanes = [](const Vec3<double>& v) {
+      return Vec3<Real>(rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z()));
+    };
+    return {in_lanes(ray_.origin), in_lanes(ray_.direction), rounded<Real>(ray_.leaving)};
+  }
+
   std::tuple<std::shared_ptr<const TracedScene<double>>, std::shared_ptr<const TracedScene<Packet>>> scenes_;
   std::tuple<decltype(std::declval<Make>()(std::type_identity<double>{})),
              decltype(std::declval<Make>()(std::type_identity<Packet>{}))>

@@ -21,14 +21,14 @@ auto ramp(double packets_bias, double double_bias) {
 }
 const std::vector<Reference> two{{2, 0, 4}};
 
-constexpr std::array<std::uint32_t, 3> all_points{1, 16, 64};
+constexpr std::array<Spread, 3> all_spreads{Spread{}, Spread{16, true}, Spread{64, true}};
 
 // 2, off by so much in each arithmetic, without chance.
-Finding found_steady(double packets_bias, double double_bias, std::uint32_t points) {
+Finding found_steady(double packets_bias, double double_bias, const Spread& spread) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     return Real(rounded<Real>(2 * (1 + (lanes<Real> > 1 ? packets_bias : double_bias))) + Real(0) * source.next());
   };
-  return AlongPackets(trial, two, draw).finding({points});
+  return AlongPackets(trial, two, draw).finding({spread});
 }
 
 template <class Draw>
@@ -37,8 +37,8 @@ Finding found_independently(const Trial& t, const std::vector<Reference>& refere
 }
 
 TEST(AlongPackets, CertifiesTheMeanInDouble) {
-  for (const std::uint32_t points : all_points) {
-    const Finding finding = AlongPackets(trial, two, ramp(0, 0)).finding({points});
+  for (const Spread& spread : all_spreads) {
+    const Finding finding = AlongPackets(trial, two, ramp(0, 0)).finding({spread});
     EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
     EXPECT_EQ(finding.guarantee, Guarantee::exact);
     EXPECT_EQ(finding.margin, trial.margin);
@@ -50,10 +50,10 @@ TEST(AlongPackets, CertifiesTheMeanInDouble) {
 }
 
 TEST(AlongPackets, FindsABiasOfEitherArithmeticAndSaysWhich) {
-  for (const std::uint32_t points : all_points) {
+  for (const Spread& spread : all_spreads) {
     for (const double bias : {-0.02, 0.02}) {
-      const Finding both = found_steady(bias, bias, points), packets = found_steady(bias, 0, points),
-                    doubles = found_steady(0, bias, points);
+      const Finding both = found_steady(bias, bias, spread), packets = found_steady(bias, 0, spread),
+                    doubles = found_steady(0, bias, spread);
       for (const Finding& finding : {both, packets, doubles}) {
         EXPECT_EQ(finding.verdict, Verdict::biased);
         EXPECT_EQ(finding.margin, trial.margin);
@@ -61,7 +61,7 @@ TEST(AlongPackets, FindsABiasOfEitherArithmeticAndSaysWhich) {
       }
       EXPECT_TRUE(both.note.starts_with("seen in packets of floats")) << both.note;
       EXPECT_TRUE(packets.note.starts_with("seen in packets of floats")) << packets.note;
-      EXPECT_EQ(packets.note.find("Sobol") != std::string::npos, points > 1) << packets.note;
+      EXPECT_EQ(packets.note.find("Sobol") != std::string::npos, spread.over_points) << packets.note;
       EXPECT_TRUE(doubles.note.starts_with("less its draws in packets")) << doubles.note;
     }
   }
@@ -118,7 +118,7 @@ TEST(AlongPackets, DoesNotPayWherePacketsDrawManyMoreNumbers) {
   const auto pays = [](int more) {
     const auto draw = [more]<class Real>(std::type_identity<Real> real, auto& source) {
       const Real ramp_of_the_first = ramp(0, 0)(real, source);
-      for (int i = 0; i < (lanes<Real> > 1 ? more : 0); ++i) source.next();
+      for (int i = 0; i < (lanes < Real >> 1 ? more : 0); ++i) source.next();
       return ramp_of_the_first;
     };
     return AlongPackets({"along_packets_test", 1, 1e-6, 0.01, 1e-3}, two, draw).pays().has_value();
@@ -129,7 +129,7 @@ TEST(AlongPackets, DoesNotPayWherePacketsDrawManyMoreNumbers) {
 
 TEST(AlongPackets, TakesPointsWhereTheyVaryLess) {
   const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 1e-3};
-  EXPECT_GT(AlongPackets(fine, two, ramp(0, 0)).pays()->points, 1u);
+  EXPECT_GT(AlongPackets(fine, two, ramp(0, 0)).pays()->spread.count, 1u);
 }
 
 // One path in so many parts from the double's, by half of the mean, either way. The ramp is one of 64 in a row, so that points vary no less.

@@ -29,6 +29,33 @@ TEST(Furnace, RefusesTermsThatGrow) {
   EXPECT_THROW(Furnace().reference_within(blue, 1, {0.35, 0.7, 0.6}), std::invalid_argument);
 }
 
+// The first path of a lane is what it is alone, from the same numbers; then come others, until each lane has had its number of paths.
+TEST(RadianceAlong, FollowsPathsInARow) {
+  const Furnace furnace;
+  const RadianceAlong radiance(
+      furnace.scene, furnace.ray,
+      always(PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>>()));
+  const StreamKey key(7, "furnace_test");
+  StreamNumbers<Packet> numbers(key, 0), same(key, 0);
+  const Rgb<Packet> alone = radiance(std::type_identity<Packet>{}, numbers);
+  Packet paths(0);
+  Mask<Packet> agree(true);
+  radiance.in_a_row(3, same, [&](const Mask<Packet>& ended, const Rgb<Packet>& found) {
+    agree = agree && (!(ended && paths == Packet(0)) || found[blue] == alone[blue]);
+    paths += select(ended, Packet(1), Packet(0));
+  });
+  EXPECT_TRUE(all(agree));
+  EXPECT_TRUE(all(paths == Packet(3)));
+}
+
+// What sees radiance in a way of its own is followed in no other.
+TEST(RadianceAlong, FollowsInARowPathTracersAlone) {
+  using Right = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>>;
+  struct Own : Right {};
+  EXPECT_TRUE(is_path_tracer<Right>);
+  EXPECT_FALSE(is_path_tracer<Own>);
+}
+
 // The most that shadow rays bring at any of some vertices of the two spheres, relative to rho Le, of points all over the luminaires. The
 // spheres are nearest to each other along x.
 template <class Direct>

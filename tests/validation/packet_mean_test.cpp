@@ -22,7 +22,7 @@ auto ramps(float count, double bias = 0) {
 
 TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
   const auto points = [](float count, double many) {
-    return PacketMean(at_margin(1e-3), two, ramps(count)).cheapest_points(many);
+    return PacketMean(at_margin(1e-3), two, ramps(count)).cheapest(many).count;
   };
   EXPECT_GT(points(1, some), 1u);
   EXPECT_EQ(points(64, some), 1u) << "a ramp a point, which varies as it would alone";
@@ -31,13 +31,13 @@ TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
 
 // Of one ramp replicates of 16 points vary so little that the range says how many there must be; of eight those of 64 vary less.
 TEST(PacketMean, TakesTheNumberOfPointsThatTakesTheLeastTime) {
-  EXPECT_EQ(PacketMean(at_margin(1e-3), two, ramps(1)).cheapest_points(some), 16u);
-  EXPECT_EQ(PacketMean(at_margin(1e-4), two, ramps(8)).cheapest_points(some), 64u);
+  EXPECT_EQ(PacketMean(at_margin(1e-3), two, ramps(1)).cheapest(some).count, 16u);
+  EXPECT_EQ(PacketMean(at_margin(1e-4), two, ramps(8)).cheapest(some).count, 64u);
 }
 
 TEST(PacketMean, LeavesADrawThatIsOutOfItsRangeToTheTest) {
   const std::vector<Reference> narrow{{2, 0, 2.9}};
-  EXPECT_EQ(PacketMean(at_margin(1e-3), narrow, ramps(1)).cheapest_points(some), 1u);
+  EXPECT_EQ(PacketMean(at_margin(1e-3), narrow, ramps(1)).cheapest(some).count, 1u);
   const Finding finding = check_mean_in_packets(at_margin(1e-3), narrow, ramps(1), some);
   EXPECT_EQ(finding.verdict, Verdict::biased);
   EXPECT_NE(finding.note.find("above"), std::string::npos) << finding.note;
@@ -60,8 +60,8 @@ TEST(PacketMean, CountsDrawsOneByOne) {
     return Packet(2) + Packet(0) * source.next();
   };
   const PacketMean mean(at_margin(1e-3), two, steady);
-  const auto by_one = mean.test_each(at_margin(1e-3), 1)[0].draws,
-             by_set = mean.test_each(at_margin(1e-3), 16)[0].draws;
+  const auto by_one = mean.test_each(at_margin(1e-3), {})[0].draws,
+             by_set = mean.test_each(at_margin(1e-3), {16, true})[0].draws;
   EXPECT_EQ(by_set, 16 * by_one);
 }
 
@@ -72,9 +72,59 @@ TEST(PacketMean, FindsOnePointThatIsOutOfItsRange) {
     return Packet(select(u < Packet(1e-5f), Packet(5), Packet(2) * u + Packet(1)));
   };
   const PacketMean mean(at_margin(1e-3), two, rare);
-  const Finding finding = worst_of(mean.test_each(at_margin(1e-3), 64));
+  const Finding finding = worst_of(mean.test_each(at_margin(1e-3), {64, true}));
   EXPECT_EQ(finding.verdict, Verdict::biased);
   EXPECT_NE(finding.note.find("is 5 (at one of its points"), std::string::npos) << finding.note;
+}
+
+// A path of two numbers or, in half of all cases, of three brings 1 + 2u of its first in each channel; so many times as much by a wrong
+// one, and 9 by a rare one.
+struct Walk {
+  float times = 1, rare = 0;
+
+  Rgb<Packet> operator()(std::type_identity<Packet>, auto& source) const {
+    const Rgb<Packet> found = of(source.next());
+    if (any(source.next() < Packet(0.5f))) source.next();
+    return found;
+  }
+  void in_a_row(int paths, auto& source, const auto& found) const {
+    Packet left(static_cast<float>(paths)), stage(0);
+    Rgb<Packet> carried = zero<Rgb<Packet>>();
+    while (any(left > Packet(0))) {
+      const Packet u = source.next();
+      const Mask<Packet> first = stage == Packet(0);
+      carried = select(first, of(u), carried);
+      const Mask<Packet> ends =
+          left > Packet(0) && (stage == Packet(2) || (stage == Packet(1) && u >= Packet(0.5f)));
+      found(ends, carried);
+      left -= select(ends, Packet(1), Packet(0));
+      stage = select(ends, Packet(0), Packet(stage + Packet(1)));
+    }
+  }
+
+ private:
+  Rgb<Packet> of(const Packet& u) const {
+    const Packet x = select(u < Packet(rare), Packet(9), Packet(Packet(times) * (Packet(1) + Packet(2) * u)));
+    return Rgb<Packet>(x, x, x);
+  }
+};
+const std::vector<Reference> grey{{2, 0, 4}, {2, 0, 4}, {2, 0, 4}};
+
+TEST(PacketMean, TakesPathsInARowWhereTheyCanBe) {
+  const PacketMean mean(at_margin(1e-3), grey, Walk());
+  EXPECT_EQ(mean.cheapest(1e9).count, 8u);
+  EXPECT_FALSE(mean.cheapest(1e9).over_points);
+  EXPECT_TRUE(mean.cheapest(some).over_points) << "which vary less";
+  EXPECT_EQ(worst_of(mean.test_each(at_margin(1e-3), {8})).verdict, Verdict::certified);
+  EXPECT_EQ(check_mean_in_packets(at_margin(1e-3), grey, Walk()).verdict, Verdict::certified);
+}
+
+TEST(PacketMean, FindsWhatIsWrongInARow) {
+  EXPECT_EQ(check_mean_in_packets(at_margin(1e-3), grey, Walk{1.003f}).verdict, Verdict::biased);
+  const Finding finding =
+      worst_of(PacketMean(at_margin(1e-3), grey, Walk{1, 1e-5f}).test_each(at_margin(1e-3), {8}));
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("is 9 (at one of its points"), std::string::npos) << finding.note;
 }
 
 TEST(CheckMeanInPackets, TakesIndependentNumbersAtTheMarginOfARun) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include <fairlight/validation/agreements/paired_paths.h>
@@ -32,6 +34,47 @@ TEST(PictureTiles, AreNumberedRowByRow) {
   EXPECT_EQ(PictureTiles<8>::place<double>(0, {0.5, 0.5}), Vec2<double>(1.0 / 16, 1.0 / 16));
   EXPECT_EQ(PictureTiles<8>::place<double>(7, {0.5, 0}), Vec2<double>(15.0 / 16, 0));
   EXPECT_EQ(PictureTiles<8>::place<double>(8, {0, 0}), Vec2<double>(0, 1.0 / 8));
+}
+
+// Four quarters, of which the third is brighter than it is claimed to be.
+Finding found_in_quarters(const Trial& trial, double third) {
+  const View view = built_in_scene("cornell-simple");
+  std::vector<Reference> references(4, Reference{.mean = 1, .lower = 0, .upper = 2});
+  references[2].mean = third;
+  const auto draw = [](const Ray<Packet>&, auto& source) {
+    return Rgb<Packet>(Rgb<Packet>::Constant(Packet(2) * source.next()));
+  };
+  return check_parts<PictureTiles<2>>(trial, view.camera, references, draw);
+}
+
+TEST(CheckParts, HoldsEachPartToItsReference) {
+  Evidence evidence;
+  Trial trial{"paired_paths_test", 1, 1e-6, 0.01, 0.05};
+  trial.evidence = &evidence;
+  EXPECT_EQ(found_in_quarters(trial, 1).verdict, Verdict::certified);
+  EXPECT_EQ(evidence.means.size(), 4u);
+  EXPECT_EQ(evidence.ladder.channels.size(), 4u);
+  EXPECT_EQ(found_in_quarters(trial, 0.9).verdict, Verdict::biased);
+  leave_tiles(trial, std::vector<double>(4, 1), 2);
+  EXPECT_EQ(evidence.tiles.biases.size(), 4u);
+}
+
+TEST(CheckParts, EndsAllPartsOnceItIsTold) {
+  Trial trial{"paired_paths_test", 1, 1e-6, 0.01, 0.05};
+  int asked = 0;
+  trial.watch = [&](double) { return ++asked != 3; };
+  EXPECT_EQ(found_in_quarters(trial, 1).verdict, Verdict::undecided);
+  EXPECT_EQ(asked, 3);
+  std::vector<double> told;
+  trial.watch = [&](double done) {
+    told.push_back(done);
+    return true;
+  };
+  found_in_quarters(trial, 1);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_LT(told.front(), 0.25);
+  EXPECT_GT(told.back(), 0.75);
+  EXPECT_LT(told.back(), 1);
 }
 
 // A strategy against itself brings nothing, whatever the path: also what the camera sees of the light.

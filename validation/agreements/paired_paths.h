@@ -102,16 +102,21 @@ struct PartMeans {
   std::vector<double> means;
 };
 
-/// What is claimed of each part, which has paths of its own, so that none waits for the darkest, and an equal part of alpha.
+/// What is claimed of each part, which has paths of its own, so that none waits for the darkest, and an equal part of alpha. Where
+/// it is told to end, the parts to come end as they begin.
 template <class Parts, class Draw>
 Finding check_parts(const Trial& trial, const Camera& camera, const std::vector<Reference>& references,
                     const Draw& draw) {
   std::vector<Finding> findings;
+  bool ends = false;
   for (std::size_t c = 0; c < Parts::parts; ++c) {
     Trial part = trial;
     part.alpha /= Parts::parts;
     if (Parts::parts > 1) part.claim += formatted(" part %zu", c);
-    part.watch = [&, c](double done) { return goes_on(trial, (static_cast<double>(c) + done) / Parts::parts); };
+    part.watch = [&, c](double done) {
+      ends = ends || !goes_on(trial, (static_cast<double>(c) + done) / Parts::parts);
+      return !ends;
+    };
     findings.push_back(check_mean_in_packets(part, {references.at(c)}, over_part<Parts>(camera, c, draw)));
   }
   return worst_of(findings);
@@ -169,10 +174,8 @@ Claim presumed_light(const PairedPaths& paths, const PartMeans& parts) {
           .statement = parts.where + " of " + paths.scene + " surfaces reflect as much as margins are relative to",
           .source = "a declared bound, that was measured",
           .margin_factor = 20,
-          .check =
-              [=, camera = view.camera](const Trial& trial) {
-                return check_parts<Parts>(trial, camera, references, draw);
-              },
+          .check = [=, camera = view.camera](
+                       const Trial& trial) { return check_parts<Parts>(trial, camera, references, draw); },
           .real = real_name<Packet>()};
 }
 

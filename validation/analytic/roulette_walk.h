@@ -10,11 +10,11 @@ namespace fairlight {
 
 /// A path that bounces on one diffuse surface after the other, counts what it carries at each, and has nothing but
 /// roulette to end it: the sum of the powers of the albedo, 1 / (1 - albedo), per channel.
-/// Bound: a bounce weighs the albedo or, with uniform directions, 2 albedo z, so no channel carries more than 1, or 2, and the
-/// sum is at most 2 N, with N the number of vertices. From bounce `first` on a path goes on with at most the probability q that
+/// Bound: a bounce weighs the albedo or, with uniform directions, 2 albedo z, so no channel carries more than `most`, 1 or 2, and the
+/// sum is at most that times the number of vertices N. From bounce `first` on a path goes on with at most the probability q that
 /// roulette has in the mean, the largest albedo, so N - first is at most geometric, and E[(N - K)+] <= q^(K + 1 - first) / (1 - q).
 template <class Roulette, template <class> class Directions>
-auto roulette_walk(const std::string& name, const std::string& subject, int first = 1,
+auto roulette_walk(const std::string& name, const std::string& subject, double most, int first = 1,
                    const Roulette& roulette = Roulette()) {
   const Rgb<double> albedo(0.125, 0.25, 0.05);
   const double q = albedo.maxCoeff();
@@ -22,7 +22,7 @@ auto roulette_walk(const std::string& name, const std::string& subject, int firs
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
     references.push_back(
-        {1 / (1 - albedo[c]), 0, 2.0 * vertices, 2 * std::pow(q, vertices + 1 - first) / (1 - q)});
+        {1 / (1 - albedo[c]), 0, most * vertices, most * std::pow(q, vertices + 1 - first) / (1 - q)});
   }
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Rgb<Real> reflectance(rounded<Real>(albedo[0]), rounded<Real>(albedo[1]), rounded<Real>(albedo[2]));
@@ -52,7 +52,7 @@ auto roulette_walk(const std::string& name, const std::string& subject, int firs
 template <template <class> class FromBounce>
 auto later_roulette_walk() {
   using Later = FromBounce<RouletteByThroughput<>>;
-  return roulette_walk<Later, UniformHemisphere>("roulette.walk.throughput_later", "RouletteFromBounce", 2,
+  return roulette_walk<Later, UniformHemisphere>("roulette.walk.throughput_later", "RouletteFromBounce", 2, 2,
                                                  Later(2));
 }
 

@@ -83,8 +83,10 @@ TestKind along(const std::string& name, const PacketPlan& plan) {
             return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding(plan);
           }};
 }
-TestKind along_packets() { return along("betting.along_packets", {1, PacketPlan::shares.front()}); }
-TestKind along_points() { return along("betting.along_points", {points_a_replicate, PacketPlan::shares.back()}); }
+TestKind along_packets() { return along("betting.along_packets", {{}, PacketPlan::shares.front()}); }
+TestKind along_points() {
+  return along("betting.along_points", {{points_a_replicate, true}, PacketPlan::shares.back()});
+}
 
 TestKind student() {
   return {"t.exponential", false, [](const Trial& trial, double bias) {

@@ -11,9 +11,9 @@ namespace {
 void add_roulette(std::vector<Claim>& claims) {
   add_mean(claims, roulette_integral<RussianRoulette>("roulette.integral", 0.3));
   add_mean(claims, roulette_walk<RouletteByReflectance<>, CosineHemisphere>("roulette.walk.reflectance",
-                                                                            "RouletteByReflectance"));
+                                                                            "RouletteByReflectance", 1));
   add_mean(claims, roulette_walk<RouletteByThroughput<>, UniformHemisphere>("roulette.walk.throughput",
-                                                                            "RouletteByThroughput"));
+                                                                            "RouletteByThroughput", 2));
   add_mean(claims, later_roulette_walk<RouletteFromBounce>());
   add_independent_mean(claims, roulette_walk_length<RouletteByReflectance<>>());
   add_independent_mean(claims, later_roulette_walk_length<RouletteByThroughput<>>());

@@ -5,16 +5,28 @@
 namespace fairlight {
 namespace {
 
-// A built-in scene, and what its paths are compared to: shadow rays to luminaires that are chosen and sampled so, without roulette. What
-// each brings at most is in grey, as is the picture's mean, which is no more than it is.
+// What a path brings at most, in grey: by shadow rays to luminaires that are chosen and sampled as the baseline's, without roulette; by the strategies
+// of each row; and what the luminaires show. That of the shared row has a baseline of its own where the other's choice is dear.
+struct Most {
+  double baseline, uniform, shared, estimated, light, shared_baseline = baseline;
+};
+
+// A built-in scene, and what its paths are compared to. The mean of the picture, in grey, is no more than it is.
 struct WholeScene {
-  std::string name, which_light, light_sampling;
-  int max_depth;
-  double baseline_brings, uniform_brings, shared_brings, estimated_brings, light, mean, margin_factor;
+  std::string name;
+  std::string which_light = "all";
+  std::string light_sampling = "cone";
+  int max_depth = 3;
+  Most most;
+  double mean;
+  double margin_factor;
+  double alone_factor = 1;  // of that where bounces alone find the lights; 0 where they are not compared
+  double float_factor = margin_factor;
+  bool by_sets = true;  // whether it is here that its sets of numbers are compared
 
   RenderSettings baseline() const { return related_settings(light_sampling, which_light, max_depth); }
   SceneComparison comparison(double brightest, double factor = 1) const {
-    return {name, max_depth, -baseline_brings, brightest, mean, factor * margin_factor};
+    return {name, max_depth, -most.baseline, brightest, mean, factor * margin_factor};
   }
 };
 
@@ -28,15 +40,40 @@ struct WholeScene {
 //   hallway            12.4; shared 24 and 30 found, by uniform bounces twice that; 13 by contribution
 //   many-lights        6; 2 pi r^2 f / d^2 sum Le = 80 by power, 100 found; 0.8 Le = 123 by one of them, 154 found
 const WholeScene whole_scenes[]{
-    {"cornell-simple", "all", "cone", 4, 2.49 * 2.952, 6 * 15 + 8 * 8, 12 * 4 + 16, 2.49 * 15, 400, 0.4, 20},
-    {"cornell-complex", "all", "cone", 3, 2.6 * 2.44, 2 * (6.1 * 7 + 8.1 * 4), 2 * (12.1 * 3 + 16.1), 2.6 * 7, 400,
-     0.4, 30},
-    {"cornell-materials", "all", "cone", 3, 2 * 16 + 5 + 25, 50 * (7 + 4), 2.25 * 25 * (3 + 1),
-     2.25 * (16 * 7 + 25 * 4), 27, 0.3, 40},
-    {"cornell-original", "all", "solid-angle", 3, 15.8 * 2.44, 2 * (7.9 * 7 + 11 * 4), 7.9 * 3 + 11, 15.8 * 7, 11,
-     0.11, 60},
-    {"hallway", "all", "cone", 3, 12.4 * 2.44, 2 * (24 * 7 + 30 * 4), 24 * 3 + 30, 13 * 7, 30, 0.2, 40},
-    {"many-lights", "contribution", "cone", 1, 6, 80 + 100, 123 + 154, 6 * (1 + 2), 154, 0.3, 60},
+    {.name = "cornell-simple",
+     .max_depth = 4,
+     .most = {2.49 * 2.952, 6 * 15 + 8 * 8, 12 * 4 + 16, 2.49 * 15, 400},
+     .mean = 0.4,
+     .margin_factor = 20,
+     .alone_factor = 3,
+     .float_factor = 1,
+     .by_sets = false},
+    {.name = "cornell-complex",
+     .most = {2.6 * 2.44, 2 * (6.1 * 7 + 8.1 * 4), 2 * (12.1 * 3 + 16.1), 2.6 * 7, 400},
+     .mean = 0.4,
+     .margin_factor = 30,
+     .alone_factor = 3},
+    {.name = "cornell-materials",
+     .most = {2 * 16 + 5 + 25, 50 * (7 + 4), 2.25 * 25 * (3 + 1), 2.25 * (16 * 7 + 25 * 4), 27},
+     .mean = 0.3,
+     .margin_factor = 40},
+    {.name = "cornell-original",
+     .light_sampling = "solid-angle",
+     .most = {15.8 * 2.44, 2 * (7.9 * 7 + 11 * 4), 7.9 * 3 + 11, 15.8 * 7, 11},
+     .mean = 0.11,
+     .margin_factor = 60},
+    {.name = "hallway",
+     .most = {12.4 * 2.44, 2 * (24 * 7 + 30 * 4), 24 * 3 + 30, 13 * 7, 30},
+     .mean = 0.2,
+     .margin_factor = 40},
+    {.name = "many-lights",
+     .which_light = "contribution",
+     .max_depth = 1,
+     .most = {6, 80 + 100, 123 + 154, 6 * (1 + 2), 154, 80},
+     .mean = 0.3,
+     .margin_factor = 60,
+     .alone_factor = 0,
+     .by_sets = false},
 };
 
 struct WaysOfAPath {
@@ -59,26 +96,32 @@ RenderSettings settings_of(const WaysOfAPath& ways) {
 // as well. Bounces that meet small bright lights by themselves vary much, and are compared less finely, or not at all among a thousand of them.
 void add_strategies(std::vector<Claim>& claims, const WholeScene& scene) {
   const std::string part = scene.light_sampling == "cone" ? "visible" : "area";
-  const auto add = [&](const std::string& name, const SceneComparison& comparison, const WaysOfAPath& ways) {
+  const auto add = [&](const std::string& name, const SceneComparison& comparison, const WaysOfAPath& ways,
+                       const RenderSettings& baseline) {
     claims.push_back(
         mean_claim<Packet>(strategies_agree(scene.name + ".strategies." + name, {"PathTracer", "DirectLight"},
-                                            comparison, settings_of(ways), scene.baseline())));
+                                            comparison, settings_of(ways), baseline)));
   };
-  add("uniform", scene.comparison(scene.uniform_brings), {"uniform", "mis", part, "power", "albedo"});
-  add("shared", scene.comparison(scene.shared_brings), {"cosine", "mis", "area", "one", "throughput"});
-  SceneComparison estimated = scene.comparison(scene.estimated_brings);
+  const RenderSettings baseline = scene.baseline();
+  add("uniform", scene.comparison(scene.most.uniform), {"uniform", "mis", part, "power", "albedo"}, baseline);
+  SceneComparison shared = scene.comparison(scene.most.shared);
+  shared.darkest = -scene.most.shared_baseline;
+  RenderSettings by_power = baseline;
+  if (scene.which_light == "contribution") by_power.which_light = "power";
+  add("shared", shared, {"cosine", "mis", "area", "one", "throughput"}, by_power);
+  SceneComparison estimated = scene.comparison(scene.most.estimated);
   if (scene.max_depth == 1) {
     estimated.max_depth = 2;
     estimated.darkest *= 1.8;
   }
-  add("estimated", estimated, {"uniform", "light", scene.light_sampling, "contribution", "throughput"});
-  if (scene.name == "many-lights") return;
-  add("alone", scene.comparison(scene.light, scene.light > 100 ? 3 : 1),
-      {"cosine", "none", "area", "all", "albedo"});
+  add("estimated", estimated, {"uniform", "light", scene.light_sampling, "contribution", "throughput"}, baseline);
+  if (scene.alone_factor == 0) return;
+  add("alone", scene.comparison(scene.most.light, scene.alone_factor), {"cosine", "none", "area", "all", "albedo"},
+      baseline);
 }
 
 // The picture in floats: what the surfaces reflect, within the margin of half of the picture's mean.
-void add_floats(std::vector<Claim>& claims, const WholeScene& scene, double margin_factor) {
+void add_floats(std::vector<Claim>& claims, const WholeScene& scene) {
   RenderSettings settings = scene.baseline();
   settings.scene = scene.name;
   const View view = view_of(settings);
@@ -97,19 +140,19 @@ void add_floats(std::vector<Claim>& claims, const WholeScene& scene, double marg
     return grey(all.along(ray, real, source)) - seen(real, ray, source);
   };
   if (scene.name == "cornell-simple")
-    claims.push_back(floats_against_double(scene.name + ".float.light", view, scene.light, scene.mean / 2,
-                                           margin_factor, seen, around_the_light_of_cornell_simple));
-  claims.push_back(floats_against_double(scene.name + ".float.reflected", view, scene.baseline_brings,
-                                         scene.mean / 2, margin_factor, reflected));
+    claims.push_back(floats_against_double(scene.name + ".float.light", view, scene.most.light, scene.mean / 2,
+                                           scene.float_factor, seen, around_the_light_of_cornell_simple));
+  claims.push_back(floats_against_double(scene.name + ".float.reflected", view, scene.most.baseline, scene.mean / 2,
+                                         scene.float_factor, reflected));
 }
 
 // By sets of numbers, with a number for the choice of a light, by which a little more may be brought than by all. Those of cornell-simple are compared
 // more finely, and a thousand lights choose as three do, but take a hundred times as long.
 void add_numbers(std::vector<Claim>& claims, const WholeScene& scene) {
-  if (scene.name == "cornell-simple" || scene.name == "many-lights") return;
+  if (!scene.by_sets) return;
   RenderSettings settings = scene.baseline();
   settings.which_light = "contribution";
-  SceneComparison comparison = scene.comparison(1.05 * scene.baseline_brings, 1.6);
+  SceneComparison comparison = scene.comparison(1.05 * scene.most.baseline, 1.6);
   comparison.darkest = -comparison.brightest;
   add_sets<Packet>(claims, comparison, settings);
 }
@@ -119,7 +162,7 @@ void add_numbers(std::vector<Claim>& claims, const WholeScene& scene) {
 void add_scene_strategy_claims(std::vector<Claim>& claims) {
   for (const WholeScene& scene : whole_scenes) {
     add_strategies(claims, scene);
-    add_floats(claims, scene, scene.name == "cornell-simple" ? 1 : scene.margin_factor);
+    add_floats(claims, scene);
     add_numbers(claims, scene);
   }
 }

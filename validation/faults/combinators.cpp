@@ -24,7 +24,7 @@ Fault unpaid_throughput() {
   using Unpaid = RouletteByThroughput<faults::UnpaidRoulette>;
   using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, Unpaid>;
   const std::vector<Claim> claims{
-      mean_claim(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "")),
+      mean_claim(roulette_walk<Unpaid, UniformHemisphere>("roulette.walk.throughput", "", 2)),
       mean_claim(furnace_radiance<Tracer>("furnace.throughput", {}))};
   return {"roulette-by-throughput-unpaid", "roulette unpaid", "openmc #3511; chunky #1018", claims};
 }
@@ -85,7 +85,7 @@ Fault densities_swapped() {
 
 Fault paid_by_mean() {
   return {"roulette-paid-by-mean", "luminaire probability", "ospray #552",
-          both(roulette_walk<faults::RoulettePaidByMean, CosineHemisphere>("roulette.walk.reflectance", ""))};
+          both(roulette_walk<faults::RoulettePaidByMean, CosineHemisphere>("roulette.walk.reflectance", "", 1))};
 }
 
 Fault number_reused() {

@@ -39,7 +39,7 @@ Fault roulette_at_its_cap() {
           "survival above 1",
           "practical-path-guiding #3",
           {mean_claim(roulette_walk_length<Wrong>())},
-          {mean_claim(roulette_walk<Wrong, CosineHemisphere>("roulette.walk.reflectance", ""))}};
+          {mean_claim(roulette_walk<Wrong, CosineHemisphere>("roulette.walk.reflectance", "", 1))}};
 }
 
 Fault one_pixel() {
