@@ -12,12 +12,11 @@ constexpr double pi = std::numbers::pi;
 
 // The fraction of a turn from -x at which the point lies, in [0,1], and the point of the unit circle there.
 double turn(double x, double y) { return std::atan2(y, x) / (2 * pi) + 0.5; }
-// The middle of its eighth; not a number where a coordinate is none.
+// The middle of its eighth, found without a branch; not a number where a coordinate is none.
 double eighth_of_turn(double x, double y) {
-  if (std::isnan(x + y)) return x + y;
-  const double forward = y < 0 ? -x : x, up = std::abs(y);  // half a turn less, in the upper half
-  const int eighth = (y < 0 ? 0 : 4) + (up >= forward) + (forward <= 0) + (up <= -forward);
-  return (eighth + 0.5) / 8;
+  const double forward = std::copysign(1, y) * x, up = std::abs(y);  // half a turn on where y is negative
+  const int eighth = 4 * !std::signbit(y) + (up >= forward) + (forward <= 0) + (up <= -forward);
+  return std::isnan(x + y) ? x + y : (eighth + 0.5) / 8;
 }
 Eigen::Vector2d on_circle(double turn) {
   const double phi = 2 * pi * (turn - 0.5);
@@ -29,9 +28,7 @@ Eigen::Vector3d at_height(double z, double turn) {
 }
 
 // How far a unit vector is below the pole, along the axis: never negative by rounding.
-double drop(const Eigen::Vector3d& w) {
-  return w.z() > 0 ? w.head<2>().squaredNorm() / (1 + w.z()) : 1 - w.z();
-}
+double drop(const Eigen::Vector3d& w) { return w.z() > 0 ? w.head<2>().squaredNorm() / (1 + w.z()) : 1 - w.z(); }
 
 double half_sector(const PolygonDomain& polygon) { return pi / polygon.corners; }
 double apothem(const PolygonDomain& polygon) { return polygon.radius * std::cos(half_sector(polygon)); }

@@ -48,20 +48,19 @@ struct Evidence {
     std::uint64_t seen_ = 0;
   };
 
-  /// Of a claim whose channels are the cells of a grid, such as tiles of a picture: the bias of each in units of its margin, row by row.
+  /// Of a claim whose parts are the cells of a grid, such as tiles of a picture: the bias of each in units of its margin, row by row.
   struct Tiles {
     int columns = 0;  ///< 0 where there are no tiles
     std::vector<double> biases;
   };
 
   std::vector<Cells> laws;
-  std::vector<Course>
-      means;  ///< one a channel; of a mean in two parts, those of the first and then those of the second
+  std::vector<Course> means;  ///< one a channel; of a mean in parts, those of the first and then those of the next
   Tiles tiles;
   Ladder ladder;  ///< one a channel, for an account of many runs
 
-  /// Who wants the draws of a test of means themselves: told at its end what was claimed of them, where they come from, and how many
-  /// the test took. Those, and any beyond, may be drawn again while it listens, where a draw is a function of its number.
+  /// Who wants the draws of a test of means themselves: told at its end (of a mean in parts, at the end of each) what was claimed of
+  /// them, where they come from, and how many the test took. Those, and any beyond, may be drawn again while it listens, where a draw is a function of its number.
   std::function<void(const std::vector<Reference>& references, const DrawBlock& draw_block, std::uint64_t draws)>
       listener{};
 };

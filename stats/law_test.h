@@ -47,7 +47,8 @@ LawCells cells_of_square(int rows, int columns, const std::function<double(doubl
 template <class Domain, class Pdf>
 LawCells law_cells(const Domain& domain, const Pdf& pdf) {
   constexpr bool line = std::is_same_v<Domain, IntervalDomain>;
-  return cells_of_square(line ? 128 : 16, line ? 1 : 8,
+  constexpr int eighths = 8;
+  return cells_of_square(line ? 128 : 16, line ? 1 : eighths,
                          [&](double s, double t) { return pdf(domain.at(s, t)) * domain.size(); });
 }
 

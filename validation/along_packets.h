@@ -37,6 +37,7 @@ class AlongPackets {
     auto pilots = packets_.pilots();
     double least = lanes<Packet> * pilots.one_by_one(1).cost;
     if (least < few) return std::nullopt;
+    pilots.add_rows();
     pilots.add_sets();
     const double packet = draws_a_packet();
     if (packet * pilots.cheapest(PacketPlan::shares.front()).cost > least) return std::nullopt;
@@ -99,9 +100,10 @@ class AlongPackets {
     return true;
   }
 
-  static constexpr double few = 16384;
+  static constexpr double few = 16384;  // of which all pilots are a third
 
-  // How many draws in double take as long as a packet: as many as it has numbers for one of a draw's, as its lanes wait for the longest.
+  // How many draws in double take as long as a packet, by the numbers that each takes: where the lanes of a packet wait for the longest, it takes
+  // more of them.
   double draws_a_packet() const {
     const StreamKey key(trial_.seed, trial_.claim + " in double length");
     std::size_t by_packets = 0, by_lanes = 0;

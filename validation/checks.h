@@ -173,9 +173,11 @@ inline std::vector<Reference> replicate_references(std::vector<Reference> refere
 
 namespace detail {
 
-/// Throws BadDraw for a point of a replicate that its reference rules out, which a mean may hide.
+/// Throws BadDraw where one of several that a draw is the mean of is ruled out by its reference, which the mean may hide. In a packet it is
+/// the same draw in all lanes, or the next in each.
 template <class Value>
-void require_in_range(std::uint64_t replicate, const Value& x, const std::vector<Reference>& references) {
+void require_in_range(std::uint64_t draw, const Value& x, const std::vector<Reference>& references,
+                      std::uint64_t next = 0) {
   for (std::size_t c = 0; c < references.size(); ++c) {
     const auto channel = channel_of(x, c);
     using Real = std::remove_cvref_t<decltype(channel)>;
@@ -184,9 +186,9 @@ void require_in_range(std::uint64_t replicate, const Value& x, const std::vector
     if (!any(!(channel >= rounded<Real>(lower) && channel <= rounded<Real>(upper)))) continue;
     std::array<double, lanes<Real>> values{};
     store_lanes(channel, values.data());
-    for (const double value : values) {
-      if (!(value >= lower && value <= upper))
-        throw BadDraw(replicate, value, "at one of its points, out of its declared range");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!(values[i] >= lower && values[i] <= upper))
+        throw BadDraw(draw + i * next, values[i], "one of those that it is the mean of, out of its declared range");
     }
   }
 }

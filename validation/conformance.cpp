@@ -107,10 +107,10 @@ class Run {
       turn.first = now;
       turn.first_done = done;
     }
-    turn.left = done > turn.first_done ? (now - turn.first) * (1 - done) / (done - turn.first_done)
-                                       : now / done - now;
+    turn.left =
+        done > turn.first_done ? (now - turn.first) * (1 - done) / (done - turn.first_done) : now / done - now;
     const bool near = conformance_.seconds == unlimited && turn.left < soon;
-    turn.ended = (now - turn.first > std::max(most, turn.first) && !near) || time_is_up();
+    turn.ended = turn.ended || (now - turn.first > std::max(most, turn.first) && !near) || time_is_up();
     if (turn.ended || now - turn.told > between_words) {
       turn.told = now;
       foresee(i, turn.before + now, turn.left);

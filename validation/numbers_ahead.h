@@ -24,4 +24,20 @@ class NumbersAhead {
   std::size_t used_ = 0;
 };
 
+/// An estimator that takes its n numbers at once, as another comes after it. The same bound.
+template <class Inner>
+struct InStep {
+  using Scalar = typename Inner::Scalar;
+
+  Inner inner;
+  std::size_t numbers;
+
+  template <class Source>
+  auto estimate(Source& source) const {
+    auto ahead = NumbersAhead<Scalar>::of(source, numbers);
+    return inner.estimate(ahead);
+  }
+  auto bound() const { return inner.bound(); }
+};
+
 }  // namespace fairlight

@@ -17,9 +17,6 @@ namespace fairlight {
 struct Spread {
   std::uint32_t count = 1;  ///< of draws that one is the mean of
   bool over_points = false;
-
-  /// What one takes, in packets: in a row lanes do not wait for each other, while points take some time to find.
-  double packets() const { return (over_points ? 1.5 : count > 1 ? 0.6 : 1) * count / lanes<Packet>; }
 };
 
 /// The mean of `draw(type_identity<Packet>, source)`, from numbers that are spread so or so. One that has `in_a_row` as RadianceAlong has it is
@@ -54,48 +51,58 @@ class PacketMean {
     /// What takes the least time.
     Choice cheapest(double share) const {
       Choice best = one_by_one(share);
-      for (std::size_t i = 1; i < draws_.size(); ++i) {
+      for (std::size_t i = 1; i < seen_.size(); ++i) {
         if (const Choice other = cost(i, share); other.cost < best.cost) best = other;
       }
       return best;
     }
 
-    /// So that points are among what is weighed.
+    /// So that paths in a row are among what is weighed, if there are any.
+    void add_rows() {
+      if (can_be_in_a_row) add({paths_in_a_row}, mean_.packets_of_a_row(), 128);
+    }
+
+    /// And points. Two packets of points are taken to cost what three others do.
     void add_sets() {
-      for (const std::uint32_t points : set_sizes) add({points, true}, 64);
+      for (const std::uint32_t points : set_sizes) add({points, true}, 1.5 * points, 64);
     }
 
    private:
     friend PacketMean;
     using Channels = std::vector<std::vector<double>>;
 
-    explicit Pilots(const PacketMean& mean) : mean_(mean) {
-      add({}, 1024);
-      if (can_be_in_a_row) add({paths_in_a_row}, 128);
-    }
+    struct Seen {
+      Spread spread;
+      double packets;  ///< what as many draws cost as a packet has lanes
+      Channels channels;
+    };
 
-    void add(const Spread& spread, std::size_t draws) {
+    explicit Pilots(const PacketMean& mean) : mean_(mean) { add({}, 1, 1024); }
+
+    void add(const Spread& spread, double packets, std::size_t draws) {
       Channels channels(mean_.references_.size(), std::vector<double>(draws));
       mean_.draws(spread, " pilot")(0, channels);
-      draws_.emplace_back(spread, std::move(channels));
+      seen_.push_back({spread, packets, std::move(channels)});
     }
 
     Choice cost(std::size_t i, double share) const {
-      const auto& [spread, channels] = draws_[i];
-      return {spread, spread.packets() * expected_draws(mean_.trial_, mean_.references(spread, share), channels)};
+      const Seen& seen = seen_[i];
+      const double draws = expected_draws(mean_.trial_, mean_.references(seen.spread, share), seen.channels);
+      return {seen.spread, seen.packets * draws / lanes<Packet>};
     }
 
     const PacketMean& mean_;
-    std::vector<std::pair<Spread, Channels>> draws_;
+    std::vector<Seen> seen_;
   };
 
-  /// Of independent numbers.
+  /// Of draws one by one.
   Pilots pilots() const& { return Pilots(*this); }
 
   /// What takes the least time for a mean that has all of the margin: over points only where independent numbers would take more than so many
   /// draws. One by one where a pilot is out of its range.
   Spread cheapest(double many) const try {
     Pilots pilots(*this);
+    pilots.add_rows();
     if (lanes<Packet> * pilots.one_by_one(1).cost > many) pilots.add_sets();
     return pilots.cheapest(1).spread;
   } catch (const BadDraw&) {
@@ -117,6 +124,22 @@ class PacketMean {
   };
   static constexpr std::uint32_t paths_in_a_row = 8;
 
+  // What paths in a row cost, in packets of one path a lane: by the numbers that they take.
+  double packets_of_a_row() const {
+    double one_by_one = 0, row = 0;
+    if constexpr (can_be_in_a_row) {
+      const StreamKey key(trial_.seed, trial_.claim + " length");
+      for (std::uint64_t first = 0; first < 8 * lanes<Packet>; first += lanes<Packet>) {
+        StreamNumbers<Packet> numbers(key, first), others(key, first);
+        draw_(std::type_identity<Packet>{}, numbers);
+        draw_.in_a_row(paths_in_a_row, others, Ignored());
+        one_by_one += static_cast<double>(numbers.drawn());
+        row += static_cast<double>(others.drawn());
+      }
+    }
+    return row > 0 ? row / one_by_one : paths_in_a_row;
+  }
+
   // What a tail may hide of draws it may hide of their means, at most (Jensen).
   DrawBlock draws(const Spread& spread, const std::string& purpose) const {
     const auto in_packets = [draw = draw_](auto& source) { return draw(std::type_identity<Packet>{}, source); };
@@ -128,7 +151,7 @@ class PacketMean {
     return independent_draws<Packet>(key, references_.size(), in_packets);
   }
 
-  // Each of the draws that one is the mean of is held to its range.
+  // Each of the paths that a draw is the mean of is held to its range. What their sum in floats rounds, rounded_references leaves room for.
   DrawBlock row_draws(const StreamKey& key, int count) const requires can_be_in_a_row {
     Rgb<Packet> inside;
     for (std::size_t c = 0; c < 3; ++c)
@@ -138,7 +161,7 @@ class PacketMean {
       StreamNumbers<Packet> source(key, first);
       Rgb<Packet> sum = zero<Rgb<Packet>>();
       draw.in_a_row(count, source, [&](const Mask<Packet>& ended, const Rgb<Packet>& found) {
-        detail::require_in_range(first, Rgb<Packet>(select(ended, found, inside)), references);
+        detail::require_in_range(first, Rgb<Packet>(select(ended, found, inside)), references, 1);
         sum += select(ended, found, zero<Rgb<Packet>>());
       });
       for (std::size_t c = 0; c < places.size(); ++c)

@@ -8,8 +8,8 @@
 
 namespace fairlight {
 
-/// Whether it is the path tracer itself, of whatever components, so that its paths may be followed vertex by vertex. What is made from one
-/// may see radiance in a way of its own.
+/// Whether it is the path tracer itself, of whatever components, whose paths in a row are what it sees. What is made from one may see
+/// radiance in a way of its own.
 template <class Tracer>
 inline constexpr bool is_path_tracer = false;
 template <class Bounces, class Direct, class Roulette>
@@ -31,28 +31,11 @@ class RadianceAlong {
     return along(ray<Real>(), real, source);
   }
 
-  /// So many paths in each lane of a packet, one after the other: a lane whose path has ended does not wait for the others.
-  /// `found(ended, radiance)` is told of the lanes whose path has just ended.
+  /// So many paths in each lane of a packet: see PathTracer.
   template <class Source, class Found>
   void in_a_row(int paths, Source& source, const Found& found) const requires
       is_path_tracer<decltype(std::declval<Make>()(std::type_identity<Packet>{}))> {
-    const Ray<Packet> first = ray<Packet>();
-    Path<Packet> path{first};
-    Packet left(static_cast<float>(paths - 1));
-    for (Mask<Packet> alive(true); any(alive);) {
-      const Mask<Packet> before = alive;
-      alive = std::get<1>(tracers_).template advance<Packet>(*std::get<1>(scenes_), path, source, alive);
-      const Mask<Packet> ended = before && !alive;
-      if (!any(ended)) continue;
-      found(ended, path.radiance);
-      const Mask<Packet> begins = ended && left > Packet(0);
-      left -= select(begins, Packet(1), Packet(0));
-      path.ray = {select(begins, first.origin, path.ray.origin),
-                  select(begins, first.direction, path.ray.direction),
-                  select(begins, first.leaving, path.ray.leaving)};
-      begin_paths(path, begins);
-      alive = alive || begins;
-    }
+    std::get<1>(tracers_).template in_a_row<Packet>(*std::get<1>(scenes_), ray<Packet>(), paths, source, found);
   }
 
   /// Along another ray of the same scene.

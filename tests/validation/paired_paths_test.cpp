@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include <fairlight/validation/agreements/paired_paths.h>
@@ -54,27 +52,53 @@ TEST(CheckParts, HoldsEachPartToItsReference) {
   EXPECT_EQ(found_in_quarters(trial, 1).verdict, Verdict::certified);
   EXPECT_EQ(evidence.means.size(), 4u);
   EXPECT_EQ(evidence.ladder.channels.size(), 4u);
+  evidence = {};
   EXPECT_EQ(found_in_quarters(trial, 0.9).verdict, Verdict::biased);
   leave_tiles(trial, std::vector<double>(4, 1), 2);
+  EXPECT_GT(evidence.tiles.biases[2], 0.05);
   EXPECT_EQ(evidence.tiles.biases.size(), 4u);
 }
 
-TEST(CheckParts, EndsAllPartsOnceItIsTold) {
+TEST(CheckParts, EndsWithThePartThatIsToldTo) {
+  Evidence evidence;
   Trial trial{"paired_paths_test", 1, 1e-6, 0.01, 0.05};
-  int asked = 0;
-  trial.watch = [&](double) { return ++asked != 3; };
-  EXPECT_EQ(found_in_quarters(trial, 1).verdict, Verdict::undecided);
-  EXPECT_EQ(asked, 3);
+  trial.evidence = &evidence;
+  trial.watch = [&](double done) { return done < 0.3; };
+  EXPECT_EQ(found_in_quarters(trial, 0.9).verdict, Verdict::undecided);
+  EXPECT_EQ(evidence.means.size(), 2u);
+  leave_tiles(trial, std::vector<double>(4, 1), 2);
+  EXPECT_EQ(evidence.tiles.biases[2], 0);
+  ASSERT_EQ(evidence.ladder.channels.size(), 4u);
+  EXPECT_GT(evidence.ladder.channels[0][0].not_darker, 0);
+  EXPECT_EQ(evidence.ladder.channels[3][0].not_darker, 0);
+}
+
+TEST(CheckParts, SaysHowMuchOfAllPartsIsDone) {
+  Trial trial{"paired_paths_test", 1, 1e-6, 0.01, 0.05};
   std::vector<double> told;
   trial.watch = [&](double done) {
     told.push_back(done);
     return true;
   };
   found_in_quarters(trial, 1);
-  EXPECT_TRUE(std::ranges::is_sorted(told));
   EXPECT_LT(told.front(), 0.25);
   EXPECT_GT(told.back(), 0.75);
   EXPECT_LT(told.back(), 1);
+}
+
+TEST(WholeOfParts, IsTheLargestBiasOfTheWorstVerdict) {
+  Finding right{Verdict::certified}, wrong{Verdict::biased}, noisy{Verdict::certified};
+  right.draws = wrong.draws = noisy.draws = 10;
+  right.bias = 0.1;
+  wrong.bias = 0.2;
+  wrong.note = "why";
+  noisy.bias = -0.3;
+  const Finding whole = whole_of_parts({right, wrong, noisy});
+  EXPECT_EQ(whole.verdict, Verdict::biased);
+  EXPECT_EQ(whole.bias, 0.2);
+  EXPECT_EQ(whole.note, "why");
+  EXPECT_EQ(whole.draws, 30u);
+  EXPECT_EQ(whole_of_parts({right, noisy}).bias, -0.3);
 }
 
 // A strategy against itself brings nothing, whatever the path: also what the camera sees of the light.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include <fairlight/stats/evidence.h>
@@ -102,32 +104,50 @@ struct PartMeans {
   std::vector<double> means;
 };
 
-/// What is claimed of each part, which has paths of its own, so that none waits for the darkest, and an equal part of alpha. Where
-/// it is told to end, the parts to come end as they begin.
+/// What parts found, of the whole: the finding of the largest bias among the worst verdicts, and all of their draws.
+inline Finding whole_of_parts(const std::vector<Finding>& parts) {
+  Finding whole = parts.at(0);
+  std::uint64_t draws = 0;
+  for (const Finding& part : parts) {
+    draws += part.draws;
+    const bool worse_than_it = worse(part.verdict, whole.verdict) != whole.verdict;
+    if (worse_than_it || (part.verdict == whole.verdict && !(std::abs(part.bias) <= std::abs(whole.bias))))
+      whole = part;
+  }
+  whole.draws = draws;
+  return whole;
+}
+
+/// What is claimed of each part, which has paths of its own, so that none waits for the darkest, and an equal part of alpha. Where it
+/// is told to end there are no further parts, and an account gets nothing of them.
 template <class Parts, class Draw>
 Finding check_parts(const Trial& trial, const Camera& camera, const std::vector<Reference>& references,
                     const Draw& draw) {
   std::vector<Finding> findings;
   bool ends = false;
-  for (std::size_t c = 0; c < Parts::parts; ++c) {
+  for (std::size_t c = 0; c < Parts::parts && !ends; ++c) {
     Trial part = trial;
     part.alpha /= Parts::parts;
     if (Parts::parts > 1) part.claim += formatted(" part %zu", c);
     part.watch = [&, c](double done) {
-      ends = ends || !goes_on(trial, (static_cast<double>(c) + done) / Parts::parts);
+      ends = !goes_on(trial, (static_cast<double>(c) + done) / Parts::parts);
       return !ends;
     };
     findings.push_back(check_mean_in_packets(part, {references.at(c)}, over_part<Parts>(camera, c, draw)));
   }
-  return worst_of(findings);
+  if (trial.evidence != nullptr) {
+    auto& channels = trial.evidence->ladder.channels;
+    channels.resize(Parts::parts, std::vector<Wealth>(channels.at(0).size()));
+  }
+  return whole_of_parts(findings);
 }
 
-/// The biases that the tests of a trial have seen, of differences, in units of their margins.
+/// The biases that the tests of a trial have seen, of differences, in units of their margins; 0 where there was none.
 inline void leave_tiles(const Trial& trial, const std::vector<double>& means, std::size_t columns) {
-  Evidence::Tiles tiles{static_cast<int>(columns), {}};
-  for (std::size_t c = 0; c < means.size(); ++c) {
+  Evidence::Tiles tiles{static_cast<int>(columns), std::vector<double>(means.size())};
+  for (std::size_t c = 0; c < std::min(means.size(), trial.evidence->means.size()); ++c) {
     const auto& steps = trial.evidence->means[c].steps();
-    tiles.biases.push_back(steps.empty() ? 0 : steps.back().mean / (trial.margin * means[c]));
+    if (!steps.empty()) tiles.biases[c] = steps.back().mean / (trial.margin * means[c]);
   }
   trial.evidence->tiles = tiles;
 }

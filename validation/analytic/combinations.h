@@ -6,6 +6,7 @@
 #include <fairlight/estimators/stratification.h>
 #include <fairlight/validation/analytic/integrals.h>
 #include <fairlight/validation/laws.h>
+#include <fairlight/validation/numbers_ahead.h>
 
 namespace fairlight {
 
@@ -166,7 +167,7 @@ inline auto nested_peaks(const std::string& name) {
 /// Strata of roulette of a control variate.
 inline auto nested_strata(const std::string& name) {
   const auto make = [](auto real) {
-    return StratifiedMean(Rouletted(controlled_height_squared<ControlVariate>()(real), 0.8), 2, 2);
+    return StratifiedMean(InStep(Rouletted(controlled_height_squared<ControlVariate>()(real), 0.8), 3), 2, 2);
   };
   return bounded_experiment(name, {"StratifiedMean", "Rouletted", "ControlVariate"},
                             "strata of roulette of a control variate keep the mean", "elementary",

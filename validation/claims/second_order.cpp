@@ -151,16 +151,14 @@ Claim roulette_against_fixed_depth() {
             const Furnace furnace;
             Scene grey;
             grey.add_sphere({3, -2, 5}, 7, Rgb<double>(0.5, 0.5, 0.5), Rgb<double>::Ones());
+            const TracedScene<double> scene(grey);
             const PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>> tracer;
-            const RadianceAlong radiance(grey, furnace.ray, always(tracer));
-            const auto draw = [radiance]<class Real>(std::type_identity<Real> real, auto& source) {
-              Real sum(0);
-              for (int i = 0; i < 64; ++i) sum += radiance(real, source)[0];
-              const Real error = sum / Real(64) - Real(2);
-              return Real(error * error);
-            };
-            return check_mean_in_double(trial, {{.mean = 1.0 / 32, .lower = 0, .upper = 4, .tail_slack = 1e-10}},
-                                        draw);
+            const Reference reference{.mean = 1.0 / 32, .lower = 0, .upper = 4, .tail_slack = 1e-10};
+            return check_mean(trial, {reference}, [&](auto& source) {
+              double sum = 0;
+              for (int i = 0; i < 64; ++i) sum += tracer.radiance<double>(scene, furnace.ray, source)[0];
+              return (sum / 64 - 2) * (sum / 64 - 2);
+            });
           }};
 }
 
