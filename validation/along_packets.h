@@ -10,8 +10,9 @@
 
 namespace fairlight {
 
-/// How the numbers of packets are spread, and their share of the margin. What the largest share leaves of a margin of 1e-4 is four times the rounding of floats, the least that a test by betting takes; where the difference is
-/// dear, as paths in floats part from those in double, it is given more.
+/// How the numbers of packets are spread, and their share of the margin. What the largest share leaves of a margin of 1e-4 is four times the
+/// rounding of floats, the least that a test by betting takes; where the difference is dear, as paths in floats part from those in double,
+/// it is given more.
 struct PacketPlan {
   static constexpr std::array shares{0.79, 0.6, 0.4};
 
@@ -30,8 +31,8 @@ class AlongPackets {
       : trial_(trial), draw_(draw), references_(references), packets_(trial, references, draw) {}
 
   /// How it takes the least time, and less than double alone, as pilots foresee, if at all: not where the range is so wide that it alone
-  /// says how many draws there must be, nor where these are so few that pilots cost more than they save. A pilot that is out of its range is left to
-  /// double.
+  /// says how many draws there must be, nor where these are so few that pilots cost more than they save. A pilot that is
+  /// out of its range is left to double.
   std::optional<PacketPlan> pays() const try {
     if (std::ranges::none_of(PacketPlan::shares, [this](double share) { return fits(share); })) return std::nullopt;
     auto pilots = packets_.pilots();
@@ -100,7 +101,7 @@ class AlongPackets {
     return true;
   }
 
-  static constexpr double few = 16384;  // of which all pilots are a third
+  static constexpr double few = 16384;  // ten times what pilots cost
 
   // How many draws in double take as long as a packet, by the numbers that each takes: where the lanes of a packet wait for the longest, it takes
   // more of them.
