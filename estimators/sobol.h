@@ -1,6 +1,7 @@
 #pragma once
 
-#include <boost/random/sobol.hpp>
+#include <array>
+#include <cstdint>
 
 #include <fairlight/estimators/point_set.h>
 
@@ -9,21 +10,10 @@ namespace fairlight {
 /// How many dimensions of Sobol's sequence are used as they are; those beyond come in fours (see OwenSobol).
 inline constexpr std::uint32_t sobol_dimensions = 64;
 
-/// Joe and Kuo's direction numbers: [dimension][k] is what bit k of a point's number contributes. They are read off
-/// Boost's engine, which counts in Gray code and skips point 0: its point 2^(k+1) - 1 has the code with bit k
-/// alone.
-inline const std::array<std::array<std::uint32_t, 32>, sobol_dimensions>& sobol_directions() {
-  static const auto directions = [] {
-    std::array<std::array<std::uint32_t, 32>, sobol_dimensions> matrix{};
-    boost::random::sobol_engine<std::uint32_t, 32> engine(sobol_dimensions);
-    for (std::size_t k = 0; k < 32; ++k) {
-      engine.seed(static_cast<std::uint32_t>((std::uint64_t{2} << k) - 2));
-      for (auto& dimension : matrix) dimension[k] = engine();
-    }
-    return matrix;
-  }();
-  return directions;
-}
+/// Joe and Kuo's direction numbers, read off Boost's engine: [dimension][k] is what bit k of a
+/// point's number contributes.
+using SobolDirections = std::array<std::array<std::uint32_t, 32>, sobol_dimensions>;
+const SobolDirections& sobol_directions();
 
 /// A coordinate of Sobol's points, not scrambled: 32 binary digits. Points come in the order of their numbers.
 /// Source: Sobol' 1967; Joe and Kuo 2008, "Constructing Sobol sequences with better two-dimensional projections".

@@ -18,20 +18,33 @@ TileRenderer* make_renderer(const TileSettings& settings) {
   return new TileTracer<Real>(settings);
 }
 
+// A level holds all that code compiled for it may use. Clang knows the names of levels only from version 18 on.
+#if defined(__x86_64__) && !defined(__AVX__)
+bool has_level_3() {
+#if defined(__clang__)
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("bmi2");
+#else
+  return __builtin_cpu_supports("x86-64-v3");
+#endif
+}
+
+bool has_level_4() {
+  return has_level_3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+         __builtin_cpu_supports("avx512cd");
+}
+#endif
+
 }  // namespace
 
 const std::vector<InstructionSet>& instruction_sets() {
 #if defined(__AVX__)  // all of the program is built for one machine, as by the preset native
   static const std::vector<InstructionSet> sets{{"native", true, lanes<Packet>, make_renderer<Packet>}};
 #elif defined(__x86_64__)
-  static const std::vector<InstructionSet> sets{
-      {"sse2", true, 4, make_renderer<Packet>},
-      {"avx2", __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"), 8, fairlight_packet_renderer_avx2},
-      {"avx512",
-       __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-           __builtin_cpu_supports("avx512cd"),
-       16, fairlight_packet_renderer_avx512}};
+  static const std::vector<InstructionSet> sets{{"sse2", true, 4, make_renderer<Packet>},
+                                                {"avx2", has_level_3(), 8, fairlight_packet_renderer_avx2},
+                                                {"avx512", has_level_4(), 16, fairlight_packet_renderer_avx512}};
 #else
   static const std::vector<InstructionSet> sets{{"neon", true, lanes<Packet>, make_renderer<Packet>}};
 #endif

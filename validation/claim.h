@@ -22,6 +22,7 @@ struct Claim {
   double finest_margin = 0;     ///< its margin where the run's is finer than its roundings allow
   double weight = 1;            ///< its share of the budget is weight / the sum of all weights
   std::string file{};           ///< of claims/, where it is made; the registry fills it in
+  std::string instructions{};   ///< the instruction set of its packets; the registry fills it in
 };
 
 }  // namespace fairlight

@@ -157,8 +157,12 @@ class Run {
 
 Manifest manifest_of(const Conformance& conformance) {
   std::vector<Manifest::Row> rows;
-  for (const Claim& c : registry()) rows.push_back({c.name, c.weight, c.margin_factor, c.finest_margin});
-  return Manifest(rows, conformance.terms);
+  const std::vector<std::string>& sets = conformance.instructions;
+  for (const Claim& c : registry(sets.front()))
+    rows.push_back({c.name, c.weight, c.margin_factor, c.finest_margin});
+  Manifest::Terms terms = conformance.terms;
+  terms.budget /= static_cast<double>(sets.size());
+  return Manifest(rows, terms);
 }
 
 std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const Conformance& conformance,

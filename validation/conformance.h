@@ -16,7 +16,7 @@ namespace fairlight {
 struct Conformance {
   Manifest::Terms terms;
   int threads = 1;
-  std::string instructions{};  ///< whose packets: see registry(); the widest that run here if empty
+  std::vector<std::string> instructions{""};  ///< one run of every claim for each, which share the budget
   double seconds =
       std::numeric_limits<double>::infinity();  ///< when they are over, what has no verdict is undecided
   bool evidence = false;                        ///< whether outcomes keep what the tests saw
@@ -41,7 +41,8 @@ struct Outcome {
 /// Biased, or undecided though there was time.
 bool failed(const Outcome& outcome);
 
-/// The whole registry on the terms of a run: a claim's share of the budget is the same whatever else runs.
+/// The whole registry on the terms of a run: a claim's share of the budget is the same whatever else runs,
+/// and is parted equally between the instruction sets.
 /// Throws as Manifest does: for a budget outside (0,1) here; for a name that is not in the registry, or a margin outside
 /// (0,1), when a trial is asked for.
 Manifest manifest_of(const Conformance& conformance);

@@ -86,9 +86,9 @@ struct PointSetKind {
   std::string suffix, subject;
   std::string source = "PointSource";
 };
-inline const PointSetKind<OwenSobol> sobol_points{"sobol", "OwenSobol"};
-inline const PointSetKind<Stratified> stratified_points{"stratified", "Stratified"};
-inline const PointSetKind<LatinHypercube> latin_points{"latin", "LatinHypercube"};
+inline PointSetKind<OwenSobol> sobol_points() { return {"sobol", "OwenSobol"}; }
+inline PointSetKind<Stratified> stratified_points() { return {"stratified", "Stratified"}; }
+inline PointSetKind<LatinHypercube> latin_points() { return {"latin", "LatinHypercube"}; }
 
 /// The row for the mean of an experiment from the points of a set, in packets, by replicates. Its margin is twice that from
 /// independent numbers, or as said: what a set can do wrong, it does grossly.
@@ -122,9 +122,9 @@ void add_independent_mean(std::vector<Claim>& claims, const Experiment<Draw>& e)
 template <class Draw>
 void add_mean(std::vector<Claim>& claims, const Experiment<Draw>& e) {
   add_independent_mean(claims, e);
-  claims.push_back(replicates_claim(e, sobol_points));
-  claims.push_back(replicates_claim(e, stratified_points));
-  claims.push_back(replicates_claim(e, latin_points));
+  claims.push_back(replicates_claim(e, sobol_points()));
+  claims.push_back(replicates_claim(e, stratified_points()));
+  claims.push_back(replicates_claim(e, latin_points()));
 }
 
 }  // namespace fairlight

@@ -141,9 +141,9 @@ void add_law(std::vector<Claim>& claims, const LawExperiment<Make, Domain>& e) {
   claims.push_back(law_moments_claim<double>(e));
   claims.push_back(law_moments_claim<Packet>(e));
   claims.push_back(density_claim(e));
-  claims.push_back(law_replicates_claim(e, sobol_points));
-  claims.push_back(law_replicates_claim(e, stratified_points));
-  claims.push_back(law_replicates_claim(e, latin_points));
+  claims.push_back(law_replicates_claim(e, sobol_points()));
+  claims.push_back(law_replicates_claim(e, stratified_points()));
+  claims.push_back(law_replicates_claim(e, latin_points()));
 }
 
 /// Uniform points on a sphere of radius 2.5.

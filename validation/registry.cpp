@@ -9,22 +9,36 @@
 #include <fairlight/validation/registry.h>
 
 #if defined(FAIRLIGHT_WIDE_CLAIMS)
-extern "C" void fairlight_packet_claims_avx512(std::vector<fairlight::Claim>&);
+extern "C" {
+void fairlight_packet_claims_avx2(std::vector<fairlight::Claim>&);
+void fairlight_packet_claims_avx512(std::vector<fairlight::Claim>&);
+}
 #endif
 
 namespace fairlight {
 namespace {
 
-std::vector<Claim> build(const std::string& instructions) {
-  std::vector<Claim> claims;
+std::vector<InstructionSet> claimed_sets() {
 #if defined(FAIRLIGHT_WIDE_CLAIMS)
-  if (instructions == "avx512") {
-    fairlight_packet_claims_avx512(claims);
-    return claims;
-  }
+  return instruction_sets();
+#else
+  return {instruction_sets().front()};
+#endif
+}
+
+void add_claims_by(const std::string& instructions, std::vector<Claim>& claims) {
+#if defined(FAIRLIGHT_WIDE_CLAIMS)
+  if (instructions == "avx2") return fairlight_packet_claims_avx2(claims);
+  if (instructions == "avx512") return fairlight_packet_claims_avx512(claims);
 #endif
   static_cast<void>(instructions);
   add_claims(claims);
+}
+
+std::vector<Claim> build(const std::string& instructions) {
+  std::vector<Claim> claims;
+  add_claims_by(instructions, claims);
+  for (Claim& claim : claims) claim.instructions = instructions;
   return claims;
 }
 
@@ -34,18 +48,18 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 }  // namespace
 
-std::string claimed_instructions(const std::string& name) {
-  std::vector<InstructionSet> sets{instruction_sets().front()};
-#if defined(FAIRLIGHT_WIDE_CLAIMS)
-  sets.push_back(instruction_sets().back());
-#endif
-  return choose_instructions(name, sets).name;
+std::vector<std::string> claimed_instructions() {
+  std::vector<std::string> names;
+  for (const InstructionSet& set : claimed_sets()) {
+    if (set.runs_here) names.push_back(set.name);
+  }
+  return names;
 }
 
 const std::vector<Claim>& registry(const std::string& instructions) {
   static std::mutex mutex;
   static std::map<std::string, std::vector<Claim>> registries;
-  const std::string set = claimed_instructions(instructions);
+  const std::string set = choose_instructions(instructions, claimed_sets()).name;
   const std::lock_guard lock(mutex);
   if (!registries.contains(set)) registries.emplace(set, build(set));
   return registries.at(set);

@@ -7,12 +7,13 @@
 
 namespace fairlight {
 
-/// The instruction set of that name, if claims in packets are compiled for it: the narrowest that this machine's kind has, and
-/// avx512, between which avx2 lies; for an empty name the widest that runs here. Throws as choose_instructions does.
-std::string claimed_instructions(const std::string& name);
+/// The instruction sets that claims are compiled for and that run here, the widest last: those of the
+/// renderer (see instruction_sets), but under sanitizers only the narrowest.
+std::vector<std::string> claimed_instructions();
 
-/// Everything that is claimed of the kit. A claim that is not here cannot run. The same rows whatever the instructions, whose
-/// packets those in packets are about. Throws as claimed_instructions does.
+/// Everything that is claimed of the kit, its packets compiled for an instruction set: the widest that
+/// runs here if the name is empty. A claim that is not here cannot run. Every instruction set has the
+/// same rows. Throws std::invalid_argument as choose_instructions does.
 const std::vector<Claim>& registry(const std::string& instructions = "");
 
 /// The claims that the patterns name: a whole name, its first dotted parts, or a shell pattern; all for no pattern.

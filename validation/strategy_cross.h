@@ -18,13 +18,17 @@ struct LightSearch {
   std::string direct, light_sampling;
 };
 
-/// All ways that the renderer has, under lights that are spheres, and rectangles. Of these by area alone the variance is infinite where they meet:
+/// All that the renderer has under lights that are spheres.
+inline std::vector<LightSearch> searches_of_spheres() {
+  return {{"none", "area"}, {"light", "area"},  {"light", "visible"}, {"light", "cone"},
+          {"mis", "area"},  {"mis", "visible"}, {"mis", "cone"}};
+}
+
+/// And under rectangles: without the light's area alone, whose variance is infinite where they meet, as
 /// points of two of them are as near to each other as can be.
-inline const std::vector<LightSearch> searches_of_spheres{
-    {"none", "area"}, {"light", "area"},  {"light", "visible"}, {"light", "cone"},
-    {"mis", "area"},  {"mis", "visible"}, {"mis", "cone"}};
-inline const std::vector<LightSearch> searches_of_rectangles{
-    {"none", "area"}, {"light", "solid-angle"}, {"mis", "solid-angle"}, {"mis", "area"}};
+inline std::vector<LightSearch> searches_of_rectangles() {
+  return {{"none", "area"}, {"light", "solid-angle"}, {"mis", "solid-angle"}, {"mis", "area"}};
+}
 
 /// Strategies of the renderer, one of each kind, so that every bounce meets every search for light and every choice of a light; and that
 /// any two strategies of any two kinds meet, among them roulette, numbers, filters, the lens and the arithmetic: what goes wrong in a

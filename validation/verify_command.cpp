@@ -27,7 +27,7 @@ struct VerifyOptions {
   std::vector<std::string> claims;
   bool list = false;
   bool all = false;
-  std::string seed, json, artifacts, report, ledger, since;
+  std::string seed, json, artifacts, report, ledger, since, instructions;
   Conformance conformance{{.seed = 0}, hardware_threads()};
 };
 
@@ -56,13 +56,13 @@ void print_depth(const std::vector<Outcome>& outcomes, const Conformance& confor
 }
 
 // The names of those that failed, a few of them.
-std::string names_of_failures(const std::vector<Outcome>& outcomes) {
+std::string names_of_failures(const std::vector<Outcome>& outcomes, const Conformance& conformance) {
   constexpr int most = 5;
   std::string names;
   int failures = 0;
   for (const Outcome& outcome : worst_first(outcomes)) {
     if (!failed(outcome) || ++failures > most) continue;
-    names += (names.empty() ? "" : ", ") + outcome.claim->name;
+    names += (names.empty() ? "" : ", ") + label(outcome, conformance);
   }
   return failures > most ? names + ", ..." : names;
 }
@@ -80,9 +80,10 @@ void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conf
     std::printf("undecided: %td of %zu claims hold to within their margins", passed, outcomes.size());
   }
   if (late > 0) std::printf(", %td had no verdict when the time was up", late);
-  std::printf(" (%.1f s, seed %s, false alarms %.0e a run, miss rate %.0e a claim)\n", seconds,
-              seed_text(conformance.terms.seed).c_str(), conformance.terms.budget, conformance.terms.beta);
-  if (failures > 0) std::printf("failed: %s\n", names_of_failures(outcomes).c_str());
+  std::printf(" (packets of %s, %.1f s, seed %s, false alarms %.0e a run, miss rate %.0e a claim)\n",
+              instruction_list(outcomes).c_str(), seconds, seed_text(conformance.terms.seed).c_str(),
+              conformance.terms.budget, conformance.terms.beta);
+  if (failures > 0) std::printf("failed: %s\n", names_of_failures(outcomes, conformance).c_str());
   if (verdict == Verdict::certified) print_depth(outcomes, conformance, seconds);
 }
 
@@ -118,10 +119,9 @@ std::map<std::string, std::vector<std::string>> write_all_artifacts(const Verify
                                                                     const Conformance& conformance) {
   std::map<std::string, std::vector<std::string>> pictures;
   for (const Outcome& outcome : outcomes) {
-    const std::string& claim = outcome.claim->name;
-    const bool named = std::ranges::find(options.claims, claim) != options.claims.end();
+    const bool named = std::ranges::find(options.claims, outcome.claim->name) != options.claims.end();
     if (!named && !failed(outcome)) continue;
-    pictures[claim] = write_artifacts(artifact_folder(options), outcome, conformance);
+    pictures[label(outcome, conformance)] = write_artifacts(artifact_folder(options), outcome, conformance);
   }
   return pictures;
 }
@@ -139,18 +139,29 @@ void write_outputs(const VerifyOptions& options, const std::vector<Outcome>& out
                                                  return all + (all.empty() ? "" : " ") + "'" + claim + "'";
                                                });
     write_whole(options.report,
-                markdown({outcomes, conformance, seconds, replay(claims, conformance), overview, pictures},
+                markdown({outcomes, conformance, seconds, replay_run(claims, conformance), overview, pictures},
                          options.report));
   }
 }
 
+// The widest instruction set for no name, each that runs here for "all".
+std::vector<std::string> chosen_instructions(const std::string& name) {
+  if (name == "all") return claimed_instructions();
+  return {registry(name).front().instructions};
+}
+
 int verify(const VerifyOptions& options) {
-  std::vector<const Claim*> claims = select_claims(options.claims, options.conformance.instructions);
+  Conformance conformance = options.conformance;
+  conformance.instructions = chosen_instructions(options.instructions);
+  std::vector<const Claim*> claims;
+  for (const std::string& set : conformance.instructions) {
+    const std::vector<const Claim*> selected = select_claims(options.claims, set);
+    claims.insert(claims.end(), selected.begin(), selected.end());
+    if (options.list) break;
+  }
   if (!options.since.empty()) claims = claims_since(options.since, claims, this_build());
   if (options.list) return list(claims);
   if (claims.empty()) return 0;
-  Conformance conformance = options.conformance;
-  conformance.instructions = claimed_instructions(conformance.instructions);  // of which the last digits may depend
   conformance.terms.seed = options.seed.empty() ? fresh_seed() : parse_replay_token(options.seed);
   check_outputs(options);
   std::optional<LedgerRun> ledger;
@@ -186,8 +197,10 @@ void add_verify_command(CLI::App& program, Command& command) {
       ->capture_default_str();
   app->add_option("--seed", options->seed,
                   "Replays a run: the token that it printed, or a seed of 1 to 16 hexadecimal digits");
-  app->add_option("--instructions", options->conformance.instructions,
-                  "Whose packets: sse2 or avx512; the widest that this machine has if not given")
+  app->add_option(
+         "--instructions", options->instructions,
+         "Certify the packets of this instruction set, or of all that this machine has; default: the widest, "
+         "which render uses")
       ->type_name("SET");
   app->add_option("--seconds", options->conformance.seconds,
                   "The time to take: first what looks wrong, then what is soon done; the rest is undecided");

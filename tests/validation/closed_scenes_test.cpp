@@ -150,7 +150,7 @@ TEST(StrategyCross, MakesEveryTwoStrategiesMeet) {
     Values values;
     std::map<std::pair<std::string, std::string>, std::set<std::pair<std::string, std::string>>> met;
     for (const nlohmann::json row :
-         StrategyCross(spheres ? searches_of_spheres : searches_of_rectangles, 5).rows()) {
+         StrategyCross(spheres ? searches_of_spheres() : searches_of_rectangles(), 5).rows()) {
       for (const std::string& a : kinds) {
         if (!chooses(row, a)) continue;
         values[a].insert(row.at(a).dump());
@@ -172,7 +172,7 @@ TEST(StrategyCross, MakesEveryTwoStrategiesMeet) {
 // 2 bounces x 7 searches x 4 choices; each of them with shadow rays is there once, and none has the name of another.
 TEST(StrategyCross, IsWholeInWhatFindsLight) {
   std::set<std::string> found, names;
-  for (const RenderSettings& row : StrategyCross(searches_of_spheres, 5).rows()) {
+  for (const RenderSettings& row : StrategyCross(searches_of_spheres(), 5).rows()) {
     found.insert(row.bounce + row.direct + row.light_sampling + row.which_light);
     names.insert(rendered_radiance(concentric_spheres(), row).name);
     EXPECT_EQ(row.max_depth, row.bounce == "uniform" ? 3 : 5);

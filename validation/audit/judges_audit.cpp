@@ -30,7 +30,7 @@ std::vector<Row> rows_of_catalogue(const Conformance& conformance) {
     for (const Claim& claim : fault.claims) {
       if (claim.kind != "mean") continue;
       const auto [at, is_new] = row_of.try_emplace(claim.name, rows.size());
-      if (is_new) rows.push_back({select_claims({claim.name}, conformance.instructions).front(), {}, {}});
+      if (is_new) rows.push_back({select_claims({claim.name}, conformance.instructions.front()).front(), {}, {}});
       rows[at->second].wrong.push_back(&claim);
       rows[at->second].faults.push_back(&fault);
     }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
@@ -32,15 +33,15 @@ struct MutateOptions {
 };
 
 // The estimators and the path tracer: what the claims of the registry are about.
-const std::vector<std::string> tracer{"camera",    "direct_light", "geometry",     "light_table", "path_tracer",
-                                      "rectangle", "sphere",       "surface_bsdf", "traced_scene"};
+constexpr std::array tracer{"camera",    "direct_light", "geometry",     "light_table", "path_tracer",
+                            "rectangle", "sphere",       "surface_bsdf", "traced_scene"};
 
 std::vector<std::string> mutable_sources(const std::string& root) {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(root + "/estimators")) {
     if (entry.path().extension() == ".h") files.push_back("estimators/" + entry.path().filename().string());
   }
-  for (const std::string& stem : tracer) files.push_back("render/" + stem + ".h");
+  for (const char* stem : tracer) files.push_back(std::string("render/") + stem + ".h");
   std::ranges::sort(files);
   return files;
 }

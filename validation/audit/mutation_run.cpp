@@ -26,7 +26,7 @@ int shell(const std::string& folder, const std::string& command) {
   return run_process({"sh", "-c", formatted("cd '%s' && %s", folder.c_str(), command.c_str())}).status;
 }
 
-const std::string claims_folder = "validation/claims/";
+constexpr std::string_view claims_folder = "validation/claims/";
 
 // How the build compiles each source of claims and tests for every machine, but for the name of the object.
 std::map<std::string, std::string> compile_commands(const BuildPlaces& places) {

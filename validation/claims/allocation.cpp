@@ -65,9 +65,9 @@ void add_naive(std::vector<Claim>& claims) {
                                        by_neighbours, numbers));
   };
   add(PooledSpikes(p, p * p), FromStreams<>());
-  add(PooledSpikes(p, 0), FromSets(sobol_points));
-  add(PooledSpikes(p, 0), FromSets(stratified_points));
-  add(PooledSpikes(p, 0), FromSets(latin_points));
+  add(PooledSpikes(p, 0), FromSets(sobol_points()));
+  add(PooledSpikes(p, 0), FromSets(stratified_points()));
+  add(PooledSpikes(p, 0), FromSets(latin_points()));
   claims.push_back(darker_allocation("allocation.naive.history.darker", 0.7, by_history));
   claims.push_back(darker_allocation("allocation.naive.neighbours.darker", 0.93, by_neighbours));
 }
@@ -80,9 +80,9 @@ void add_allocation_claims(std::vector<Claim>& claims) {
   add_unbiased<AllocationByVariance>(claims, "variance", "AllocationByVariance");
   add_unbiased<AllocationByNeighbours>(claims, "neighbours", "AllocationByNeighbours");
   add_packets(claims);
-  add_numbers(claims, FromSets(sobol_points));
-  add_numbers(claims, FromSets(stratified_points));
-  add_numbers(claims, FromSets(latin_points));
+  add_numbers(claims, FromSets(sobol_points()));
+  add_numbers(claims, FromSets(stratified_points()));
+  add_numbers(claims, FromSets(latin_points()));
   add_naive(claims);
   const DiscardedPilot<UniformAllocation> uniform({eight, 128, 0});
   claims.push_back(quieter_allocation("allocation.pilot.deviation.quieter",

@@ -21,7 +21,7 @@ void add_renders(std::vector<Claim>& claims, const std::string& real) {
     endless.roulette = roulette;
     claims.push_back(rendered_radiance(white_sky(), endless, 1));
   }
-  for (const LightSearch& search : searches_of_spheres) {
+  for (const LightSearch& search : searches_of_spheres()) {
     claims.push_back(rendered_radiance(white_ball(), settings_in(real, search, 1)));
   }
   for (const std::uint32_t sets : {3u, 6u}) {
@@ -37,8 +37,8 @@ void add_closed_scene_claims(std::vector<Claim>& claims) {
       claims.push_back(rendered_radiance(scene, row));
     }
   };
-  add(concentric_spheres(), searches_of_spheres);
-  add(lit_box(), searches_of_rectangles);
+  add(concentric_spheres(), searches_of_spheres());
+  add(lit_box(), searches_of_rectangles());
   add_renders(claims, "double");
   add_renders(claims, "packet");
   using BySolidAngle = PointsBy<SphereByArea, RectangleBySolidAngle>;

@@ -36,22 +36,22 @@ void add_random_claims(std::vector<Claim>& claims) {
   claims.push_back(mean_claim_alone<Packet>(product_integral()));
   claims.push_back(mean_claim_alone<double>(blocks_integral()));
   claims.push_back(mean_claim_alone<Packet>(blocks_integral()));
-  claims.push_back(replicates_claim(product_integral(), sobol_points, 1));
-  claims.push_back(replicates_claim(product_integral(), stratified_points, 1));
-  claims.push_back(replicates_claim(product_integral(), latin_points, 1));
-  add_point_set(claims, sobol_points);
-  add_point_set(claims, stratified_points);
-  add_point_set(claims, latin_points);
-  claims.push_back(stratified_variance_claim(sobol_points, 16, 16));
-  claims.push_back(stratified_variance_claim(stratified_points, 16, 4));
-  claims.push_back(stratified_variance_claim(latin_points, 16, 16));
-  claims.push_back(three_points_claim(sobol_points));
-  claims.push_back(three_points_claim(stratified_points));
-  claims.push_back(three_points_claim(latin_points));
+  claims.push_back(replicates_claim(product_integral(), sobol_points(), 1));
+  claims.push_back(replicates_claim(product_integral(), stratified_points(), 1));
+  claims.push_back(replicates_claim(product_integral(), latin_points(), 1));
+  add_point_set(claims, sobol_points());
+  add_point_set(claims, stratified_points());
+  add_point_set(claims, latin_points());
+  claims.push_back(stratified_variance_claim(sobol_points(), 16, 16));
+  claims.push_back(stratified_variance_claim(stratified_points(), 16, 4));
+  claims.push_back(stratified_variance_claim(latin_points(), 16, 16));
+  claims.push_back(three_points_claim(sobol_points()));
+  claims.push_back(three_points_claim(stratified_points()));
+  claims.push_back(three_points_claim(latin_points()));
   claims.push_back(vertices_claim<double, IndependentNumbers>("independent", {"IndependentNumbers"}, 1));
   claims.push_back(vertices_claim<Packet, IndependentNumbers>("independent", {"IndependentNumbers"}, 1));
-  add_padded_set<PaddedSobolSet, PaddedSobol>(claims, padded_sobol_points, 16, 1.0 / 6);
-  add_padded_set<PaddedStrataSet, PaddedStrata>(claims, padded_strata_points, 4, 2.0 / 9);
+  add_padded_set<PaddedSobolSet, PaddedSobol>(claims, padded_sobol_points(), 16, 1.0 / 6);
+  add_padded_set<PaddedStrataSet, PaddedStrata>(claims, padded_strata_points(), 4, 2.0 / 9);
 }
 
 }  // namespace fairlight

@@ -2,18 +2,19 @@
 
 #include <fairlight/render/whole_file.h>
 #include <fairlight/validation/ledger/ledger_run.h>
+#include <fairlight/validation/provenance/hash.h>
 
 namespace fairlight {
 namespace {
 
 std::vector<LedgerEntry> entries_of(const std::vector<Outcome>& outcomes, const Conformance& conformance,
-                                    const std::map<std::string, std::uint64_t>& contents) {
+                                    const std::map<const Claim*, std::uint64_t>& contents) {
   std::vector<LedgerEntry> entries;
   for (const Outcome& outcome : outcomes) {
     const Account account(outcome.evidence.ladder);
     if (account.empty()) continue;
     entries.push_back({outcome.claim->name,
-                       contents.at(outcome.claim->name),
+                       contents.at(outcome.claim),
                        {conformance.terms.seed},
                        outcome.finding.draws,
                        account});
@@ -36,7 +37,7 @@ LedgerRun::LedgerRun(const std::string& path, const std::vector<const Claim*>& c
   std::map<std::string, std::uint64_t> contents;  // by file
   for (const Claim* claim : claims) {
     if (!contents.contains(claim->file)) contents[claim->file] = sources.content(claim->file);
-    contents_[claim->name] = contents[claim->file];
+    contents_[claim] = hash_of(claim->instructions, contents[claim->file]);
   }
 }
 
@@ -51,7 +52,7 @@ void LedgerRun::add(std::vector<Outcome>& outcomes, const Conformance& conforman
 }
 
 void LedgerRun::judge(Outcome& outcome, const Trial& trial) {
-  const LedgerEntry* entry = ledger_.find({trial.claim, contents_.at(trial.claim)});
+  const LedgerEntry* entry = ledger_.find({trial.claim, contents_.at(outcome.claim)});
   if (entry == nullptr) return;
   ++kept_;
   runs_ = std::max(runs_, entry->seeds.size());

@@ -27,7 +27,7 @@ class LedgerRun {
   void judge(Outcome& outcome, const Trial& trial);
 
   std::string path_;
-  std::map<std::string, std::uint64_t> contents_;  // by claim
+  std::map<const Claim*, std::uint64_t> contents_;  // of its sources and its instruction set
   Ledger ledger_;
   std::size_t runs_ = 0;       // of the claim that has most
   std::size_t kept_ = 0;       // claims that have any

@@ -13,9 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string claims_folder = "validation/claims/";
+constexpr std::string_view claims_folder = "validation/claims/";
 
-bool of_library(const std::string& source) { return source.starts_with("stats/") || source.starts_with("render/"); }
+bool of_library(const std::string& source) { 
+  return source.starts_with("stats/") || source.starts_with("estimators/") || source.starts_with("render/");
+}
 
 std::string folder_of(const std::string& file) { return file.substr(0, file.find('/') + 1); }
 
@@ -27,7 +29,7 @@ Sources::Sources(const BuildPlaces& places) : places_(places) {
   const auto fail = [&](const std::string& why) {
     throw std::runtime_error("it is not known which files the claims rest on (" + why + ")");
   };
-  if (!fs::exists(places.build + "/build.ninja") || !fs::exists(places.source + "/" + claims_folder)) {
+  if (!fs::exists(places.build + "/build.ninja") || !fs::exists(places.source + "/validation/claims")) {
     fail("the folder \"" + places.build + "\", where this program was built with ninja, or its sources are gone");
   }
   const ProcessResult listing = run_process({"ninja", "-C", places.build, "-t", "deps"});
@@ -93,7 +95,7 @@ const std::set<std::string>& Sources::files_of(const std::string& claim_file) {
   const auto [known, is_new] = files_.try_emplace(claim_file);
   std::set<std::string>& files = known->second;
   if (!is_new) return files;
-  const auto own = needs_.find(claims_folder + claim_file);
+  const auto own = needs_.find(std::string(claims_folder) + claim_file);
   if (own == needs_.end()) {
     throw std::runtime_error("the build does not know \"" + claim_file + "\" (build the program again)");
   }

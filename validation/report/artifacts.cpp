@@ -89,7 +89,7 @@ void check_folder(const std::string& folder) {
 
 std::vector<std::string> write_artifacts(const std::string& folder, const Outcome& outcome,
                                          const Conformance& conformance) {
-  const std::string place = (fs::path(folder) / outcome.claim->name).string();
+  const std::string place = (fs::path(folder) / label(outcome, conformance)).string();
   make_folder(place);
   nlohmann::json json = outcome_json(outcome, conformance);
   json["statement"] = outcome.claim->statement;
@@ -102,7 +102,7 @@ std::vector<std::string> write_artifacts(const std::string& folder, const Outcom
   };
   const auto& laws = outcome.evidence.laws;
   const auto& means = outcome.evidence.means;
-  const std::string title = outcome.claim->name + ": " + name(outcome.finding.verdict);
+  const std::string title = label(outcome, conformance) + ": " + name(outcome.finding.verdict);
   for (std::size_t i = 0; i < laws.size(); ++i) {
     write_cells(place + "/" + numbered("cells", i, laws.size(), ""), laws[i]);
     draw(numbered("p_map", i, laws.size(), ".png"), p_map_chart(title, laws[i]));

@@ -11,7 +11,7 @@ namespace fairlight {
 /// Leaves nothing behind.
 void check_folder(const std::string& folder);
 
-/// What was seen of one claim, as files in `folder`/`claim`, which is made where it is not there; each file is written whole or not at all:
+/// What was seen of one claim, as files in `folder`/`label`, which is made where it is not there; each file is written whole or not at all:
 ///  * finding.json, the claim and what was found;
 ///  * of a law, cells.csv and cells.exr: counts, what was expected, and p-values; and as pictures histogram.png and p_map.png;
 ///  * of a mean, wealth.csv: the course of the test in every channel; and as pictures wealth.png, of at most three channels, those with

@@ -33,13 +33,15 @@ std::string head(const Page& page) {
   out += formatted("| miss rate | %.0e a claim, at its margin |\n", terms.beta);
   out += formatted("| margin | %.0e of the reference, times what a claim says |\n", terms.margin);
   out += formatted("| time | %.1f s on %d threads |\n", page.seconds, page.conformance.threads);
+  out += "| instructions of packets | " + instruction_list(page.outcomes) + " |\n";
   out += formatted("| version | %s |\n\n", version);
   return out + "To run it again, draw for draw:\n\n" + code(page.command);
 }
 
 std::string section(const Page& page, const Outcome& outcome, const std::string& path) {
   const Finding& finding = outcome.finding;
-  std::string out = "## " + outcome.claim->name + ": " + name(finding.verdict) + "\n\n";
+  const std::string title = label(outcome, page.conformance);
+  std::string out = "## " + title + ": " + name(finding.verdict) + "\n\n";
   out += "Claimed (" + outcome.claim->kind + "): " + outcome.claim->statement +
          ". Source: " + outcome.claim->source + ".\n\n";
   out +=
@@ -47,22 +49,21 @@ std::string section(const Page& page, const Outcome& outcome, const std::string&
   out += formatted("the margin %.1e; %llu draws in %.2f s.", finding.margin,
                    static_cast<unsigned long long>(finding.draws), outcome.seconds);
   out += (finding.note.empty() ? "" : " Note: " + finding.note + ".") + "\n\n" +
-         code(replay(outcome.claim->name, page.conformance));
-  const auto pictures = page.pictures.find(outcome.claim->name);
+         code(replay(*outcome.claim, page.conformance));
+  const auto pictures = page.pictures.find(title);
   if (pictures == page.pictures.end()) return out;
   for (const std::string& picture : pictures->second) {
-    out += "![" + fs::path(picture).stem().string() + " of " + outcome.claim->name + "](" + link(picture, path) +
-           ")\n\n";
+    out += "![" + fs::path(picture).stem().string() + " of " + title + "](" + link(picture, path) + ")\n\n";
   }
   return out;
 }
 
-std::string table(const std::vector<Outcome>& outcomes) {
+std::string table(const std::vector<Outcome>& outcomes, const Conformance& conformance) {
   std::string out = "| claim | verdict | guarantee | margin | bias between | and | draws | seconds |\n";
   out += "|---|---|---|--:|--:|--:|--:|--:|\n";
   for (const Outcome& outcome : outcomes) {
     const Finding& finding = outcome.finding;
-    out += "| " + outcome.claim->name + " | " + name(finding.verdict) + " | " + name(finding.guarantee);
+    out += "| " + label(outcome, conformance) + " | " + name(finding.verdict) + " | " + name(finding.guarantee);
     out += formatted(" | %.1e | %+.2e | %+.2e | %llu | %.2f |\n", finding.margin, finding.interval.lo,
                      finding.interval.hi, static_cast<unsigned long long>(finding.draws), outcome.seconds);
   }
@@ -78,9 +79,10 @@ std::string markdown(const Page& page, const std::string& path) {
     out += "![the intervals of all claims, in units of their margins](" + link(page.overview, path) + ")\n\n";
   }
   for (const Outcome& outcome : sorted) {
-    if (failed(outcome) || page.pictures.contains(outcome.claim->name)) out += section(page, outcome, path);
+    if (failed(outcome) || page.pictures.contains(label(outcome, page.conformance)))
+      out += section(page, outcome, path);
   }
-  return out + "## All claims\n\n" + table(sorted);
+  return out + "## All claims\n\n" + table(sorted, page.conformance);
 }
 
 }  // namespace fairlight

@@ -15,7 +15,7 @@ struct Page {
   double seconds;
   std::string command;                                       ///< that runs it all again
   std::string overview;                                      ///< the picture of all intervals; or empty
-  std::map<std::string, std::vector<std::string>> pictures;  ///< of a claim, by its name
+  std::map<std::string, std::vector<std::string>> pictures;  ///< of a claim, by its label
 };
 
 /// The page as Markdown: the verdict, what was run and how to run it again, every failure with its pictures, then the table of all. Links

@@ -13,16 +13,44 @@ std::string digits(double value) { return nlohmann::json(value).dump(); }
 
 int rank(Verdict verdict) { return verdict == Verdict::biased ? 0 : verdict == Verdict::undecided ? 1 : 2; }
 
+std::string verify_command(const std::string& claims, const Manifest::Terms& terms,
+                           const std::string& instructions) {
+  std::string command =
+      "fairlight verify" + (claims.empty() ? "" : " " + claims) + " --seed " + replay_token(terms.seed);
+  const Manifest::Terms usual{.seed = 0};
+  if (terms.margin != usual.margin) command += " --margin " + digits(terms.margin);
+  if (terms.budget != usual.budget) command += " --budget " + digits(terms.budget);
+  if (!instructions.empty()) command += " --instructions " + instructions;
+  return command;
+}
+
 }  // namespace
 
-std::string replay(const std::string& claims, const Conformance& conformance) {
-  std::string command =
-      "fairlight verify" + (claims.empty() ? "" : " " + claims) + " --seed " + replay_token(conformance.terms.seed);
-  const Conformance usual{{.seed = 0}};
-  if (conformance.terms.margin != usual.terms.margin) command += " --margin " + digits(conformance.terms.margin);
-  if (conformance.terms.budget != usual.terms.budget) command += " --budget " + digits(conformance.terms.budget);
-  if (!conformance.instructions.empty()) command += " --instructions " + conformance.instructions;
-  return command;
+std::string replay(const Claim& claim, const Conformance& conformance) {
+  Manifest::Terms terms = conformance.terms;
+  terms.budget /= static_cast<double>(conformance.instructions.size());
+  return verify_command(claim.name, terms, claim.instructions);
+}
+
+std::string replay_run(const std::string& claims, const Conformance& conformance) {
+  const auto& sets = conformance.instructions;
+  return verify_command(claims, conformance.terms, sets.size() == 1 ? sets.front() : "all");
+}
+
+std::string label(const Outcome& outcome, const Conformance& conformance) {
+  const Claim& claim = *outcome.claim;
+  return conformance.instructions.size() == 1 ? claim.name : claim.name + " [" + claim.instructions + "]";
+}
+
+std::string instruction_list(const std::vector<Outcome>& outcomes) {
+  std::vector<std::string> sets;
+  for (const Outcome& outcome : outcomes) {
+    if (std::ranges::find(sets, outcome.claim->instructions) == sets.end())
+      sets.push_back(outcome.claim->instructions);
+  }
+  std::string list;
+  for (const std::string& set : sets) list += (list.empty() ? "" : ", ") + set;
+  return list;
 }
 
 std::vector<Outcome> worst_first(std::vector<Outcome> outcomes) {
@@ -44,9 +72,10 @@ nlohmann::json outcome_json(const Outcome& outcome, const Conformance& conforman
                          {"samples", finding.draws},
                          {"seconds", outcome.seconds},
                          {"real", outcome.claim->real},
+                         {"instructions", outcome.claim->instructions},
                          {"rounding", finding.rounding},
                          {"note", finding.note},
-                         {"replay", replay(outcome.claim->name, conformance)}};
+                         {"replay", replay(*outcome.claim, conformance)}};
   if (outcome.ledger) json["ledger"] = {{"runs", outcome.ledger->runs}, {"margin", outcome.ledger->margin}};
   return json;
 }

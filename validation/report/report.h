@@ -10,8 +10,17 @@
 
 namespace fairlight {
 
-/// The command that runs a claim again, or several with spaces between them, draw for draw; all for no name.
-std::string replay(const std::string& claims, const Conformance& conformance);
+/// The command that runs a claim again, draw for draw.
+std::string replay(const Claim& claim, const Conformance& conformance);
+
+/// The command that makes a whole run again, of these claims with spaces between them, or of all for no name.
+std::string replay_run(const std::string& claims, const Conformance& conformance);
+
+/// The name of an outcome's claim, with its instruction set where the run has several.
+std::string label(const Outcome& outcome, const Conformance& conformance);
+
+/// The instruction sets that outcomes are about, in words: "sse2, avx2".
+std::string instruction_list(const std::vector<Outcome>& outcomes);
 
 /// The outcomes with the worst verdict first, else in their order.
 std::vector<Outcome> worst_first(std::vector<Outcome> outcomes);

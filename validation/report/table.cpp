@@ -20,8 +20,8 @@ std::string first_name(const Outcome& outcome) {
   return outcome.claim->name.substr(0, outcome.claim->name.find('.'));
 }
 
-std::string title(const Group& group) {
-  if (group.size() == 1) return group[0]->claim->name;
+std::string title(const Group& group, const Conformance& conformance) {
+  if (group.size() == 1) return label(*group[0], conformance);
   return first_name(*group[0]) + " (" + std::to_string(group.size()) + ")";
 }
 
@@ -61,9 +61,10 @@ std::string guarantee_of(const Group& group) {
 
 class Table {
  public:
-  Table(std::FILE* out, const std::vector<Group>& groups) : out_(out) {
+  Table(std::FILE* out, const std::vector<Group>& groups, const Conformance& conformance)
+      : out_(out), conformance_(conformance) {
     colours_ = isatty(fileno(out)) != 0 && std::getenv("NO_COLOR") == nullptr;
-    for (const Group& group : groups) width_ = std::max(width_, static_cast<int>(title(group).size()));
+    for (const Group& group : groups) width_ = std::max(width_, static_cast<int>(title(group, conformance).size()));
     std::fprintf(out_, "%-*s %-10s %-13s %8s %21s %12s %8s\n", width_, "claim", "verdict", "guarantee", "margin",
                  "bias between", "draws", "seconds");
   }
@@ -72,10 +73,10 @@ class Table {
     const Finding finding = finding_of(group);
     double seconds = 0;
     for (const Outcome* outcome : group) seconds += outcome->seconds;
-    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %+10.2e %+10.2e %12llu %8.2f\n", width_, title(group).c_str(),
-                 colour(finding.verdict), name(finding.verdict), colours_ ? "\033[0m" : "",
-                 guarantee_of(group).c_str(), finding.margin, finding.interval.lo, finding.interval.hi,
-                 static_cast<unsigned long long>(finding.draws), seconds);
+    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %+10.2e %+10.2e %12llu %8.2f\n", width_,
+                 title(group, conformance_).c_str(), colour(finding.verdict), name(finding.verdict),
+                 colours_ ? "\033[0m" : "", guarantee_of(group).c_str(), finding.margin, finding.interval.lo,
+                 finding.interval.hi, static_cast<unsigned long long>(finding.draws), seconds);
   }
 
  private:
@@ -85,6 +86,7 @@ class Table {
   }
 
   std::FILE* out_;
+  const Conformance& conformance_;
   bool colours_;
   int width_ = 34;
 };
@@ -93,7 +95,7 @@ void print_why(std::FILE* out, const Outcome& outcome, const Conformance& confor
   if (!outcome.finding.note.empty()) std::fprintf(out, "    %s\n", outcome.finding.note.c_str());
   if (!failed(outcome)) return;
   std::fprintf(out, "    %s: %s\n    again: %s\n", outcome.claim->kind.c_str(), outcome.claim->statement.c_str(),
-               replay(outcome.claim->name, conformance).c_str());
+               replay(*outcome.claim, conformance).c_str());
 }
 
 // What rows of many have to say, once.
@@ -114,7 +116,7 @@ void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const 
                     Rows rows) {
   const std::vector<Outcome> sorted = worst_first(outcomes);
   const std::vector<Group> groups = grouped(sorted, rows);
-  const Table table(out, groups);
+  const Table table(out, groups, conformance);
   for (const Group& group : groups) {
     table.row(group);
     if (group.size() == 1) print_why(out, *group[0], conformance);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace fairlight {
+
+/// The rule of Gauss and Legendre on [0,1], of an even number of nodes, which come in pairs: nodes
+/// 1/2 - reach[i] and 1/2 + reach[i], each with the weight weight[i]. The weights sum to 1/2.
+template <std::size_t Nodes>
+struct GaussLegendre {
+  static_assert(Nodes % 2 == 0, "the nodes of an odd rule are not all in pairs");
+  std::array<double, Nodes / 2> reach, weight;
+};
+
+/// The rule of 16, 24 or 48 nodes. Source: Boost.Math has the nodes.
+template <std::size_t Nodes>
+const GaussLegendre<Nodes>& gauss_legendre();
+
+extern template const GaussLegendre<16>& gauss_legendre<16>();
+extern template const GaussLegendre<24>& gauss_legendre<24>();
+extern template const GaussLegendre<48>& gauss_legendre<48>();
+
+}  // namespace fairlight
