@@ -63,32 +63,9 @@ class PathTracer {
   /// All of a path.
   template <class Real, class Scene, UniformSource<Real> Source>
   Rgb<Real> radiance(const Scene& scene, const Ray<Real>& ray, Source& source) const {
-    Rgb<Real> all = zero<Rgb<Real>>();
-    in_a_row<Real>(scene, ray, 1, source, [&all](const Mask<Real>& ended, const Rgb<Real>& radiance) {
-      all = select(ended, radiance, all);
-    });
-    return all;
-  }
-
-  /// So many paths along a ray in each lane, one after the other: a lane whose path has ended does not wait for the others.
-  /// `found(ended, radiance)` is told of lanes whose path has ended, as the next begins there, or after all of them.
-  template <class Real, class Scene, UniformSource<Real> Source, class Found>
-  void in_a_row(const Scene& scene, const Ray<Real>& ray, int paths, Source& source, const Found& found) const {
     Path<Real> path{ray};
-    Real left(static_cast<Lane<Real>>(paths - 1));
-    Mask<Real> alive(true);
-    while (any(alive)) {
-      alive = advance(scene, path, source, alive);
-      const Mask<Real> begins = !alive && left > Real(0);
-      if (!any(begins)) continue;
-      found(begins, path.radiance);
-      left -= select(begins, Real(1), Real(0));
-      path.ray = {select(begins, ray.origin, path.ray.origin), select(begins, ray.direction, path.ray.direction),
-                  select(begins, ray.leaving, path.ray.leaving)};
-      begin_paths(path, begins);
-      alive = alive || begins;
-    }
-    found(Mask<Real>(true), path.radiance);
+    for (Mask<Real> alive(true); any(alive);) alive = advance(scene, path, source, alive);
+    return path.radiance;
   }
 
   /// The paths that are alive, to their next vertex and off it: adds what they find there, and says which go on.

@@ -7,7 +7,9 @@
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
-#include <fairlight/validation/along_packets.h>
+#include <fairlight/validation/checks/constants.h>
+#include <fairlight/validation/checks/means.h>
+#include <fairlight/validation/claim.h>
 
 namespace fairlight {
 
@@ -44,40 +46,50 @@ double finest_margin_of(const std::vector<Reference>& references) {
   return finest_margin(references) > 0 ? finest_margin(rounded_references<Real>(references)) : 0;
 }
 
-/// The row of the registry for the mean of an experiment, checked so: `check(trial, experiment)`.
-template <class Real, class Draw, class Check>
-Claim mean_row(const Experiment<Draw>& e, const Check& check) {
+/// An experiment as an arithmetic draws it.
+template <class Real, class Draw>
+Draws draws_of(const Experiment<Draw>& e) {
+  return draws_of<Real>(body_of<Real>(e.draw), e.references.size());
+}
+
+/// The row of the registry for the mean of an experiment.
+template <class Real, class Draw>
+Claim mean_row(const Experiment<Draw>& e, std::function<Finding(const Trial&)> check) {
   return {.name = e.name + real_suffix<Real>(),
           .kind = "mean",
           .subjects = e.subjects,
           .statement = e.statement,
           .source = e.source,
           .margin_factor = e.margin_factor,
-          .check = [e, check](const Trial& trial) { return check(trial, e); },
+          .check = std::move(check),
           .real = real_name<Real>(),
           .finest_margin = finest_margin_of<Real>(e.references)};
 }
 
-/// From independent numbers of its own arithmetic alone: in double where packets round more than they mostly do, and where it is the numbers
-/// themselves that are tested, for which no others stand in.
+/// From independent numbers of its own arithmetic alone: in double where packets round more than they mostly do, and where
+/// it is the numbers themselves that are tested, for which no others stand in.
 template <class Real, class Draw>
 Claim mean_claim_alone(const Experiment<Draw>& e) {
-  return mean_row<Real>(e, [](const Trial& trial, const Experiment<Draw>& experiment) {
-    return check_mean<Real>(trial, experiment.references,
-                            [&](auto& source) { return experiment.draw(std::type_identity<Real>{}, source); });
+  return mean_row<Real>(e, [references = e.references, draws = draws_of<Real>(e)](const Trial& trial) {
+    return check_mean(trial, references, draws);
   });
 }
 
-/// From independent numbers; in double along packets where that is faster, and in packets over points where they would take very long.
+/// From independent numbers; in double with a packet control variate where that is faster, and in packets over points where
+/// they would take very long.
 template <class Real = double, class Draw>
 Claim mean_claim(const Experiment<Draw>& e) {
-  return mean_row<Real>(e, [](const Trial& trial, const Experiment<Draw>& experiment) {
-    if constexpr (lanes<Real> == 1) {
-      return check_mean_in_double(trial, experiment.references, experiment.draw);
-    } else {
-      return check_mean_in_packets(trial, experiment.references, experiment.draw);
-    }
-  });
+  if constexpr (lanes<Real> == 1) {
+    const PairedDraws draws =
+        paired_draws<Packet>(body_of<double>(e.draw), body_of<Packet>(e.draw), e.references.size());
+    return mean_row<Real>(e, [references = e.references, draws](const Trial& trial) {
+      return check_mean_in_double(trial, references, draws);
+    });
+  } else {
+    return mean_row<Real>(e, [references = e.references, draws = draws_of<Real>(e)](const Trial& trial) {
+      return check_mean_in_packets(trial, references, draws);
+    });
+  }
 }
 
 /// A kind of point set, and how it is named in a claim.
@@ -103,10 +115,8 @@ Claim replicates_claim(const Experiment<Draw>& e, const PointSetKind<Set>& point
           .source = e.source,
           .margin_factor = margin_factor * e.margin_factor,
           .check =
-              [e](const Trial& trial) {
-                return check_replicates<Set<Packet>>(
-                    trial, e.references, [&](auto& source) { return e.draw(std::type_identity<Packet>{}, source); },
-                    points_for(e.references));
+              [references = e.references, body = body_of<Packet>(e.draw)](const Trial& trial) {
+                return check_replicates<Set<Packet>>(trial, references, body, points_for(references));
               },
           .real = real_name<Packet>()};
 }

@@ -7,7 +7,7 @@
 #include <fairlight/stats/domains.h>
 #include <fairlight/stats/quadrature.h>
 #include <fairlight/validation/experiment.h>
-#include <fairlight/validation/law_checks.h>
+#include <fairlight/validation/checks/laws.h>
 
 namespace fairlight {
 
@@ -124,12 +124,10 @@ Claim law_replicates_claim(const LawExperiment<Make, Domain>& e, const PointSetK
               [e](const Trial& trial) {
                 const auto law = e.template law<Packet>();
                 const auto references = mean_coordinates(e.template law<double>(), e.domain);
-                return check_replicates<Set<Packet>>(
-                    trial, references,
-                    [&](auto& source) {
-                      return coordinates_and_product(e.domain, law.sample(next_pair<Packet>(source)));
-                    },
-                    points_for(references));
+                const auto draw = [law, domain = e.domain](std::type_identity<Packet>, auto& source) {
+                  return coordinates_and_product(domain, law.sample(next_pair<Packet>(source)));
+                };
+                return check_replicates<Set<Packet>>(trial, references, body_of<Packet>(draw), points_for(references));
               },
           .real = real_name<Packet>()};
 }

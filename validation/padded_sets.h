@@ -81,7 +81,7 @@ Finding check_sets(const Trial& trial, const std::vector<Reference>& references,
     return Real(sum / Real(static_cast<Lane<Real>>(n)));
   };
   return test_means(trial, rounded_references<Real>(references),
-                    draws_at_once<Real>(references.size(), [&](std::uint64_t first, const auto& places) {
+                    draws_at_once(lanes<Real>, references.size(), [&](std::uint64_t first, const auto& places) {
                       if ((first + lanes<Real>) >> 32 != 0)
                         throw NoMoreDraws("sets have run out (there are 2^32 of one key)");
                       store_lanes(means(first), places[0]);

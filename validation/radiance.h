@@ -8,13 +8,6 @@
 
 namespace fairlight {
 
-/// Whether it is the path tracer itself, of whatever components, whose paths in a row are what it sees. What is made from one may see
-/// radiance in a way of its own.
-template <class Tracer>
-inline constexpr bool is_path_tracer = false;
-template <class Bounces, class Direct, class Roulette>
-inline constexpr bool is_path_tracer<PathTracer<Bounces, Direct, Roulette>> = true;
-
 /// What a path tracer sees along a ray of a scene, in every arithmetic: draw(type_identity<Real>, source) gives an Rgb<Real>.
 /// `make(type_identity<Real>)` gives the tracer of a Real.
 template <class Make>
@@ -29,13 +22,6 @@ class RadianceAlong {
   template <class Real, class Source>
   Rgb<Real> operator()(std::type_identity<Real> real, Source& source) const {
     return along(ray<Real>(), real, source);
-  }
-
-  /// So many paths in each lane of a packet: see PathTracer.
-  template <class Source, class Found>
-  void in_a_row(int paths, Source& source, const Found& found) const requires
-      is_path_tracer<decltype(std::declval<Make>()(std::type_identity<Packet>{}))> {
-    std::get<1>(tracers_).template in_a_row<Packet>(*std::get<1>(scenes_), ray<Packet>(), paths, source, found);
   }
 
   /// Along another ray of the same scene.

@@ -5,7 +5,7 @@
 
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/text.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/checks/draws.h>
 
 namespace fairlight {
 
@@ -18,12 +18,26 @@ struct Contender {
   double lower, upper;
 };
 
+/// The mean of an estimator over the points of one replicate of a set in double.
+template <PointSet Set, class Draw>
+double replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
+  if (replicate >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
+  const Set set(key, static_cast<std::uint32_t>(replicate), n);
+  double sum = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    auto source = set.source(i);
+    sum += draw(source);
+  }
+  return sum / n;
+}
+
 /// An estimator that takes independent numbers: `draw(source)`. With n > 1, the mean of n draws from one source.
 template <class Draw>
 Contender independent_draws(const std::string& name, const Draw& draw, double lower, double upper, int n = 1) {
   return {name,
           [=](const StreamKey& key, std::uint64_t index) {
-            PhiloxStream<double> source(key, 0, index);
+            IndependentSamples<double> numbers(key, index);
+            NumberSource<double> source(numbers);
             double sum = 0;
             for (int i = 0; i < n; ++i) sum += draw(source);
             return sum / n;

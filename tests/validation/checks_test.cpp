@@ -7,7 +7,9 @@
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/stats/domains.h>
-#include <fairlight/validation/law_checks.h>
+#include <fairlight/validation/checks/constants.h>
+#include <fairlight/validation/checks/laws.h>
+#include <fairlight/validation/variances.h>
 
 // Each check must be able to fail: it is shown estimators that are wrong without chance.
 namespace fairlight {
@@ -55,7 +57,7 @@ TEST(CheckMean, NamesADrawThatIsOutOfItsRange) {
 // of one that has been made.
 template <class Real>
 void expect_draws_in_their_places() {
-  const auto draws = draws_at_once<Real>(2, [](std::uint64_t first, const auto& places) {
+  const auto draws = draws_at_once(lanes<Real>, 2, [](std::uint64_t first, std::span<double* const> places) {
     EXPECT_EQ(first % lanes<Real>, 0u);
     for (std::size_t i = 0; i < lanes<Real>; ++i) {
       places[0][i] = static_cast<double>(first + i);
@@ -128,14 +130,11 @@ TEST(ReplicateMean, IsTheMeanOverThePointsOfOneReplicate) {
 
 TEST(CheckReplicates, CertifiesTheMeanAndOnlyTheMean) {
   const auto check = [](double mean) {
-    return check_replicates<LatinHypercube<double>>(
-               trial, {{0.5, 0, 1}, {mean, 1, 3}},
-               [](auto& source) {
-                 const double u = source.next();
-                 return Eigen::Array2d(u, 2 * u + 1);
-               },
-               points_a_replicate)
-        .verdict;
+    const auto body = body_of<double>([](auto, auto& source) {
+      const double u = source.next();
+      return Eigen::Array2d(u, 2 * u + 1);
+    });
+    return check_replicates<LatinHypercube<double>>(trial, {{0.5, 0, 1}, {mean, 1, 3}}, body, points_a_replicate).verdict;
   };
   EXPECT_EQ(check(2), Verdict::certified);
   EXPECT_EQ(check(2.2), Verdict::biased);
@@ -151,9 +150,8 @@ TEST(PointsFor, AreFewerWhereTheRangeIsWide) {
 // (0.1 + 0.1 + 0.1) / 3 rounds to more than 0.1.
 TEST(CheckReplicates, AllowsTheRoundingOfTheSumAndNoMore) {
   const auto note = [](double value) {
-    return check_replicates<LatinHypercube<double>>(
-               trial, {{0.05, 0, 0.1}}, [value](auto&) { return value; }, 3)
-        .note;
+    const auto body = body_of_source<double>([value](auto&) { return value; });
+    return check_replicates<LatinHypercube<double>>(trial, {{0.05, 0, 0.1}}, body, 3).note;
   };
   EXPECT_EQ(note(0.1).find("draw 0"), std::string::npos) << note(0.1);
   EXPECT_NE(note(0.1 * (1 + 1e-14)).find("draw 0"), std::string::npos);
@@ -212,30 +210,28 @@ TEST(CheckLawMoments, SeeTheSameOverPointsInAFractionOfTheDraws) {
   EXPECT_EQ(check_law_moments_over_points(fine, Swapped{}, Swapped{}, domain).verdict, Verdict::biased);
 }
 
-TEST(PairsAtOnce, AreTheNumbersOfTheStreams) {
+TEST(IndependentPairs, AreTheNumbersOfTheStreams) {
   const StreamKey key(1, "pairs");
-  PairsAtOnce pairs(key);
+  const Pairs<double> pairs = independent_pairs<double>(key);
   for (const std::uint64_t i : {std::uint64_t{0}, std::uint64_t{5}, std::uint64_t{6}, std::uint64_t{100},
                                 (std::uint64_t{1} << 32) - 1, (std::uint64_t{1} << 32) + 3, std::uint64_t{5}}) {
-    auto pair = pairs(i);
+    const Vec2<double> pair = pairs(i);
     PhiloxStream<double> stream(key, 0, i);
-    EXPECT_EQ(pair.next(), stream.next()) << i;
-    EXPECT_EQ(pair.next(), stream.next()) << i;
-    EXPECT_THROW(pair.next(), std::out_of_range);
+    EXPECT_EQ(pair.x(), stream.next()) << i;
+    EXPECT_EQ(pair.y(), stream.next()) << i;
   }
 }
 
 // A replicate has all points of the set once, and the next one others.
-TEST(NumbersOfPoints, AreOneReplicateAfterTheOther) {
+TEST(PointPairs, AreOneReplicateAfterTheOther) {
   const StreamKey key(1, "points");
-  const auto numbers = numbers_of_points<double>(key, 4);
-  const auto first_number = [&](std::uint64_t i) { return numbers(i).next(); };
+  const Pairs<double> pairs = point_pairs<double>(key, 4);
   std::array<bool, 4> quarters{};
-  for (std::uint64_t i = 0; i < 4; ++i) quarters[static_cast<std::size_t>(4 * first_number(i))] = true;
+  for (std::uint64_t i = 0; i < 4; ++i) quarters[static_cast<std::size_t>(4 * pairs(i).x())] = true;
   EXPECT_EQ(quarters, (std::array{true, true, true, true}));
-  EXPECT_NE(first_number(0), first_number(4));
-  EXPECT_THROW(numbers(std::uint64_t{1} << 34), NoMoreDraws);
-  EXPECT_THROW(numbers_of_points<Packet>(key, 2), std::invalid_argument);
+  EXPECT_NE(pairs(0).x(), pairs(4).x());
+  EXPECT_THROW(pairs(std::uint64_t{1} << 34), NoMoreDraws);
+  EXPECT_THROW(point_pairs<Packet>(key, 2), std::invalid_argument);
 }
 
 // Uniform on [0,1) x [0,1), of which it says that a part has another density.

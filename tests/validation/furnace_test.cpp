@@ -29,55 +29,6 @@ TEST(Furnace, RefusesTermsThatGrow) {
   EXPECT_THROW(Furnace().reference_within(blue, 1, {0.35, 0.7, 0.6}), std::invalid_argument);
 }
 
-// The first path of a lane is what it is alone, from the same numbers; then come others, until each lane has had its number of paths.
-TEST(RadianceAlong, FollowsPathsInARow) {
-  const Furnace furnace;
-  using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>>;
-  const RadianceAlong radiance(furnace.scene, furnace.ray, always(Tracer()));
-  const StreamKey key(7, "furnace_test");
-  StreamNumbers<Packet> numbers(key, 0), same(key, 0);
-  const Rgb<Packet> alone = radiance(std::type_identity<Packet>{}, numbers);
-  Packet paths(0);
-  radiance.in_a_row(3, same, [&](const Mask<Packet>& ended, const Rgb<Packet>& found) {
-    EXPECT_TRUE(all(found[blue] == alone[blue] || !ended || paths > Packet(0)));
-    paths += select(ended, Packet(1), Packet(0));
-  });
-  EXPECT_TRUE(all(paths == Packet(3)));
-}
-
-// A ball of 7 in a sphere of 1, each of which reflects half, which is what roulette lets go on: a path to the ball is 7, or 8 if it bounces, to the
-// sphere, and ends there.
-TEST(RadianceAlong, BeginsEveryPathInARowAnew) {
-  const Rgb<double> half = Rgb<double>::Constant(0.5);
-  Scene scene;
-  scene.add_sphere({0, 0, 0}, 9, half, Rgb<double>::Ones());
-  scene.add_sphere({0, 0, -4}, 1, half, Rgb<double>::Constant(7));
-  using Tracer = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>>;
-  const RadianceAlong radiance(scene, Ray<double>{{0, 0, 0}, {0, 0, -1}, -1}, always(Tracer(1)));
-  StreamNumbers<Packet> numbers(StreamKey(7, "furnace_test"), 0);
-  Packet bounced(0);
-  radiance.in_a_row(64, numbers, [&](const Mask<Packet>& ended, const Rgb<Packet>& found) {
-    EXPECT_TRUE(all(found[blue] == Packet(7) || found[blue] == Packet(8) || !ended));
-    bounced += select(ended && found[blue] == Packet(8), Packet(1), Packet(0));
-  });
-  EXPECT_TRUE(all(bounced > Packet(0) && bounced < Packet(64)));
-}
-
-// What sees radiance in a way of its own is followed in no other.
-template <class Tracer>
-constexpr bool may_be_in_a_row = requires(const decltype(RadianceAlong(Scene(), Ray<double>(),
-                                                                       always(Tracer())))& seen,
-                                          StreamNumbers<Packet>& numbers) {
-  seen.in_a_row(1, numbers, [](const Mask<Packet>&, const Rgb<Packet>&) {});
-};
-
-TEST(RadianceAlong, FollowsInARowPathTracersAlone) {
-  using Right = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>>;
-  struct Own : Right {};
-  EXPECT_TRUE(may_be_in_a_row<Right>);
-  EXPECT_FALSE(may_be_in_a_row<Own>);
-}
-
 // The most that shadow rays bring at any of some vertices of the two spheres, relative to rho Le, of points all over the luminaires. The
 // spheres are nearest to each other along x.
 template <class Direct>

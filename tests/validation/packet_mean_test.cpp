@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/packet_mean.h>
+#include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 namespace {
@@ -11,18 +11,24 @@ Trial at_margin(double margin) { return {"packet_mean_test", 1, 1e-6, 0.01, marg
 const std::vector<Reference> two{{2, 0, 4}};
 constexpr double some = 1e5;  // draws
 
+// `draw(source)`, in packets.
+template <class Draw>
+Draws packet_draws(const Draw& draw) {
+  return draws_of<Packet>(body_of_source<Packet>(draw), 1);
+}
+
 // So many ramps of 2u + 1 in a row, whose mean is 2, off by so much.
-auto ramps(float count, double bias = 0) {
-  return [=](std::type_identity<Packet>, auto& source) {
+Draws ramps(float count, double bias = 0) {
+  return packet_draws([=](auto& source) {
     using std::floor;
     const Packet place = Packet(count) * source.next();
     return Packet((Packet(2) * (place - floor(place)) + Packet(1)) * rounded<Packet>(1 + bias));
-  };
+  });
 }
 
 TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
   const auto points = [](float count, double many) {
-    return PacketMean(at_margin(1e-3), two, ramps(count)).cheapest(many).count;
+    return PacketMean(at_margin(1e-3), two, ramps(count)).cheapest(many).points;
   };
   EXPECT_GT(points(1, some), 1u);
   EXPECT_EQ(points(64, some), 1u) << "a ramp a point, which varies as it would alone";
@@ -31,13 +37,13 @@ TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
 
 // Of one ramp replicates of 16 points vary so little that the range says how many there must be; of eight those of 64 vary less.
 TEST(PacketMean, TakesTheNumberOfPointsThatTakesTheLeastTime) {
-  EXPECT_EQ(PacketMean(at_margin(1e-3), two, ramps(1)).cheapest(some).count, 16u);
-  EXPECT_EQ(PacketMean(at_margin(1e-4), two, ramps(8)).cheapest(some).count, 64u);
+  EXPECT_EQ(PacketMean(at_margin(1e-3), two, ramps(1)).cheapest(some).points, 16u);
+  EXPECT_EQ(PacketMean(at_margin(1e-4), two, ramps(8)).cheapest(some).points, 64u);
 }
 
 TEST(PacketMean, LeavesADrawThatIsOutOfItsRangeToTheTest) {
   const std::vector<Reference> narrow{{2, 0, 2.9}};
-  EXPECT_EQ(PacketMean(at_margin(1e-3), narrow, ramps(1)).cheapest(some).count, 1u);
+  EXPECT_EQ(PacketMean(at_margin(1e-3), narrow, ramps(1)).cheapest(some).points, 1u);
   const Finding finding = check_mean_in_packets(at_margin(1e-3), narrow, ramps(1), some);
   EXPECT_EQ(finding.verdict, Verdict::biased);
   EXPECT_NE(finding.note.find("above"), std::string::npos) << finding.note;
@@ -56,74 +62,23 @@ TEST(CheckMeanInPackets, HasOneVerdictWhateverTheNumbers) {
 }
 
 TEST(PacketMean, CountsDrawsOneByOne) {
-  const auto steady = [](std::type_identity<Packet>, auto& source) {
-    return Packet(2) + Packet(0) * source.next();
-  };
+  const Draws steady = packet_draws([](auto& source) { return Packet(2) + Packet(0) * source.next(); });
   const PacketMean mean(at_margin(1e-3), two, steady);
   const auto by_one = mean.test_each(at_margin(1e-3), {})[0].draws,
-             by_set = mean.test_each(at_margin(1e-3), {16, true})[0].draws;
+             by_set = mean.test_each(at_margin(1e-3), {16})[0].draws;
   EXPECT_EQ(by_set, 16 * by_one);
 }
 
 // One number in 100000 brings 5, which is out of the range; the mean of its replicate is not.
 TEST(PacketMean, FindsOnePointThatIsOutOfItsRange) {
-  const auto rare = [](std::type_identity<Packet>, auto& source) {
+  const Draws rare = packet_draws([](auto& source) {
     const Packet u = source.next();
     return Packet(select(u < Packet(1e-5f), Packet(5), Packet(2) * u + Packet(1)));
-  };
+  });
   const PacketMean mean(at_margin(1e-3), two, rare);
-  const Finding finding = worst_of(mean.test_each(at_margin(1e-3), {64, true}));
+  const Finding finding = worst_of(mean.test_each(at_margin(1e-3), {64}));
   EXPECT_EQ(finding.verdict, Verdict::biased);
   EXPECT_NE(finding.note.find("is 5 (one of those that it is the mean of"), std::string::npos) << finding.note;
-}
-
-// A path of some numbers, up to the first after the first that is below a half, brings 1 + 2u of its first in each channel; so many times as
-// much by a wrong one, and 9 by a rare one.
-struct Walk {
-  float times = 1, rare = 0;
-
-  Rgb<Packet> operator()(std::type_identity<Packet>, auto& source) const {
-    const Rgb<Packet> found = of(source.next());
-    for (Mask<Packet> goes_on(true); any(goes_on);) goes_on = goes_on && source.next() >= Packet(0.5f);
-    return found;
-  }
-  void in_a_row(int paths, auto& source, const auto& found) const {
-    Packet left(static_cast<float>(paths));
-    Mask<Packet> begins(true);
-    Rgb<Packet> carried = zero<Rgb<Packet>>();
-    while (any(left > Packet(0))) {
-      const Packet u = source.next();
-      const Mask<Packet> ends = !begins && left > Packet(0) && u < Packet(0.5f);
-      carried = select(begins, of(u), carried);
-      found(ends, carried);
-      left -= select(ends, Packet(1), Packet(0));
-      begins = ends;
-    }
-  }
-
- private:
-  Rgb<Packet> of(const Packet& u) const {
-    const Packet x = select(u < Packet(rare), Packet(9), Packet(Packet(times) * (Packet(1) + Packet(2) * u)));
-    return Rgb<Packet>(x, x, x);
-  }
-};
-const std::vector<Reference> grey{{2, 0, 4}, {2, 0, 4}, {2, 0, 4}};
-
-TEST(PacketMean, TakesPathsInARowWhereTheyCanBe) {
-  const PacketMean mean(at_margin(1e-3), grey, Walk());
-  EXPECT_EQ(mean.cheapest(1e9).count, 8u);
-  EXPECT_FALSE(mean.cheapest(1e9).over_points);
-  EXPECT_TRUE(mean.cheapest(some).over_points) << "which vary less";
-  EXPECT_EQ(worst_of(mean.test_each(at_margin(1e-3), {8})).verdict, Verdict::certified);
-  EXPECT_EQ(check_mean_in_packets(at_margin(1e-3), grey, Walk()).verdict, Verdict::certified);
-}
-
-TEST(PacketMean, FindsWhatIsWrongInARow) {
-  EXPECT_EQ(check_mean_in_packets(at_margin(1e-3), grey, Walk{1.003f}).verdict, Verdict::biased);
-  const Finding finding =
-      worst_of(PacketMean(at_margin(1e-3), grey, Walk{1, 1e-5f}).test_each(at_margin(1e-3), {8}));
-  EXPECT_EQ(finding.verdict, Verdict::biased);
-  EXPECT_NE(finding.note.find("is 9 (one of those that it is the mean of"), std::string::npos) << finding.note;
 }
 
 TEST(CheckMeanInPackets, TakesIndependentNumbersAtTheMarginOfARun) {

@@ -51,7 +51,7 @@ auto roulette_on_against_off(const std::string& name) {
     const Vec3<Real> from(rounded<Real>(eye.x()), rounded<Real>(eye.y()), rounded<Real>(eye.z()));
     const Vec3<Real> way = Vec3<Real>(Real(30) + Real(40) * u.x(), Real(0), Real(95) + Real(40) * u.y()) - from;
     const Ray<Real> ray{from, way / way.norm(), Real(-1)};
-    auto ahead = NumbersAhead<Real>::of(source, 14);  // four shadow rays and three bounces
+    auto ahead = source.take(14);  // four shadow rays and three bounces
     const Rgb<Real> without = off.along(ray, real, ahead);
     return Rgb<Real>(on.along(ray, real, source) - without);
   };

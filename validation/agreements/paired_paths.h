@@ -8,7 +8,7 @@
 #include <fairlight/stats/evidence.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/agreements/relations.h>
-#include <fairlight/validation/packet_mean.h>
+#include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 
@@ -133,7 +133,8 @@ Finding check_parts(const Trial& trial, const Camera& camera, const std::vector<
       ends = !goes_on(trial, (static_cast<double>(c) + done) / Parts::parts);
       return !ends;
     };
-    findings.push_back(check_mean_in_packets(part, {references.at(c)}, over_part<Parts>(camera, c, draw)));
+    const auto body = body_of<Packet>(over_part<Parts>(camera, c, draw));
+    findings.push_back(check_mean_in_packets(part, {references.at(c)}, draws_of<Packet>(body, 1)));
   }
   if (trial.evidence != nullptr) {
     auto& channels = trial.evidence->ladder.channels;

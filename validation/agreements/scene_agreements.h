@@ -2,8 +2,6 @@
 
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
-#include <fairlight/validation/along_packets.h>
-#include <fairlight/validation/numbers_ahead.h>
 #include <fairlight/validation/padded_sets.h>
 #include <fairlight/validation/radiance.h>
 
@@ -39,7 +37,7 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
                         std::type_identity<Real> real, auto& source) {
     const Vec2<Real> place = next_pair<Real>(source);
     const Ray<Real> ray = camera.template ray<Real>(place.x(), place.y(), 1, 1, source);
-    auto ahead = NumbersAhead<Real>::of(source, numbers);
+    auto ahead = source.take(numbers);
     const Rgb<Real> by_other = b.along(ray, real, ahead);
     const Rgb<Real> difference = a.along(ray, real, source) - by_other;
     return Real((difference[0] + difference[1] + difference[2]) / Real(3));
@@ -76,6 +74,7 @@ Claim floats_against_double(const std::string& name, const View& view, double la
                 part(real, camera.template ray<Real>(x, y, 1, 1, source), source));
   };
   largest *= square.side * square.side;
+  const PairedDraws draws = paired_draws<Packet>(body_of<double>(draw), body_of<Packet>(draw), 1);
   return {.name = name,
           .kind = "agreement",
           .subjects = {"PathTracer"},
@@ -86,7 +85,7 @@ Claim floats_against_double(const std::string& name, const View& view, double la
               [=](const Trial& trial) {
                 const std::vector<Reference> floats{{0, -largest, largest, 0, mean}};
                 return test_means(trial, rounded_references<Packet>(floats),
-                                  less_packets(StreamKey(trial.seed, trial.claim), floats, draw));
+                                  draws.double_minus_packet(StreamKey(trial.seed, trial.claim), floats));
               },
           .real = "packet"};
 }

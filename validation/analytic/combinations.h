@@ -6,7 +6,6 @@
 #include <fairlight/estimators/stratification.h>
 #include <fairlight/validation/analytic/integrals.h>
 #include <fairlight/validation/laws.h>
-#include <fairlight/validation/numbers_ahead.h>
 
 namespace fairlight {
 
@@ -164,10 +163,33 @@ inline auto nested_peaks(const std::string& name) {
                             TwoPeaks::integral, make);
 }
 
+/// An estimator that takes its n numbers at once, so that the one after it has the same numbers in each arithmetic.
+template <class Inner>
+struct WithNumbersOfItsOwn {
+  using Scalar = typename Inner::Scalar;
+
+  Inner inner;
+  std::size_t numbers;
+
+  struct Taken {
+    std::vector<Scalar> numbers;
+    std::size_t used = 0;
+    Scalar next() { return numbers.at(used++); }
+  };
+  template <class Source>
+  auto estimate(Source& source) const {
+    Taken taken;
+    while (taken.numbers.size() < numbers) taken.numbers.push_back(source.next());
+    return inner.estimate(taken);
+  }
+  auto bound() const { return inner.bound(); }
+};
+
 /// Strata of roulette of a control variate.
 inline auto nested_strata(const std::string& name) {
   const auto make = [](auto real) {
-    return StratifiedMean(InStep(Rouletted(controlled_height_squared<ControlVariate>()(real), 0.8), 3), 2, 2);
+    return StratifiedMean(
+        WithNumbersOfItsOwn(Rouletted(controlled_height_squared<ControlVariate>()(real), 0.8), 3), 2, 2);
   };
   return bounded_experiment(name, {"StratifiedMean", "Rouletted", "ControlVariate"},
                             "strata of roulette of a control variate keep the mean", "elementary",

@@ -50,8 +50,8 @@ Claim polygonal_aperture_claim() {
       .check =
           [](const Trial& trial) {
             const PolygonDomain pentagon{2.5, 5, 0.25};
-            Draws draws(PolygonalAperture<Real>(Real(2.5), 5, Real(0.25)),
-                        numbers_of_points<Real>(StreamKey(trial.seed, trial.claim), points_a_replicate));
+            SamplerDraws draws(PolygonalAperture<Real>(Real(2.5), 5, Real(0.25)),
+                               point_pairs<Real>(StreamKey(trial.seed, trial.claim), points_a_replicate));
             return test_rosenblatt(
                 trial, [](double, double) { return 1.0; },
                 [&](std::uint64_t i) { return pentagon.coordinates(draws.point(i)); }, points_a_replicate);

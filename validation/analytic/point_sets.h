@@ -98,14 +98,12 @@ Claim three_points_claim(const PointSetKind<Set>& kind) {
           .source = "elementary",
           .margin_factor = 5,
           .check = [](const Trial& trial) {
-            return check_replicates<Set<double>>(
-                trial, {{1.0 / 6, 0, 1}},
-                [](auto& source) {
-                  const double x0 = source.next();
-                  source.next();
-                  return x0 * x0 * source.next();
-                },
-                3);
+            const auto body = body_of_source<double>([](auto& source) {
+              const double x0 = source.next();
+              source.next();
+              return x0 * x0 * source.next();
+            });
+            return check_replicates<Set<double>>(trial, {{1.0 / 6, 0, 1}}, body, 3);
           }};
 }
 

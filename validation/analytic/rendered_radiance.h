@@ -8,7 +8,7 @@
 #include <fairlight/render/render_image.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/analytic/closed_scenes.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/checks/draws.h>
 
 namespace fairlight {
 

@@ -10,7 +10,7 @@
 #include <fairlight/stats/rosenblatt.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/sequential_t_test.h>
-#include <fairlight/validation/along_packets.h>
+#include <fairlight/validation/checks/means.h>
 #include <fairlight/validation/audit/ledger_audit.h>
 #include <fairlight/validation/audit/test_kinds.h>
 
@@ -73,19 +73,23 @@ TestKind difference() {
           }};
 }
 
-// In double, along packets: each part has as much of the bias as of the margin.
-TestKind along(const std::string& name, const PacketPlan& plan) {
+// In double with a packet control variate: each part has as much of the bias as of the margin.
+TestKind control_variate(const std::string& name, const PacketControlVariate::Plan& plan) {
   return {name, false, [=](const Trial& trial, double bias) {
             const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
               const double share = lanes<Real> > 1 ? plan.share : 1;
               return Real(rounded<Real>(2 * (1 + share * bias)) * source.next());
             };
-            return AlongPackets(trial, {{1, 0, 2.5}}, draw).finding(plan);
+            const PairedDraws draws = paired_draws<Packet>(body_of<double>(draw), body_of<Packet>(draw), 1);
+            return PacketControlVariate(trial, {{1, 0, 2.5}}, draws).finding(plan);
           }};
 }
-TestKind along_packets() { return along("betting.along_packets", {{}, PacketPlan::shares.front()}); }
-TestKind along_points() {
-  return along("betting.along_points", {{points_a_replicate, true}, PacketPlan::shares.back()});
+TestKind packets() {
+  return control_variate("betting.packet_control_variate", {{}, PacketControlVariate::Plan::shares.front()});
+}
+TestKind packets_over_points() {
+  return control_variate("betting.packet_control_variate.points",
+                         {{points_a_replicate}, PacketControlVariate::Plan::shares.back()});
 }
 
 TestKind student() {
@@ -247,7 +251,7 @@ std::vector<TestKind> build() {
   std::vector<TestKind> kinds;
   for (const CostLaw& law : cost_laws()) kinds.push_back(betting(law));
   for (const auto& make :
-       {one_sided, not_below, channels, difference, along_packets, along_points, student, welch, counts, two_cells,
+       {one_sided, not_below, channels, difference, packets, packets_over_points, student, welch, counts, two_cells,
         density, kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates, account}) {
     kinds.push_back(make());
   }

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/along_packets.h>
+#include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 namespace {
 
-const Trial trial{"along_packets_test", 1, 1e-6, 0.01, 0.01};
+const Trial trial{"packet_control_variate_test", 1, 1e-6, 0.01, 0.01};
 
 // 2u + 1, whose mean is 2 and whose range is [1, 3], off by so much in each arithmetic.
 auto ramp(double packets_bias, double double_bias) {
@@ -21,24 +21,30 @@ auto ramp(double packets_bias, double double_bias) {
 }
 const std::vector<Reference> two{{2, 0, 4}};
 
-constexpr std::array<Spread, 3> all_spreads{Spread{}, Spread{16, true}, Spread{64, true}};
+// `draw(type_identity<Real>, source)` in both arithmetics.
+template <class Draw>
+PairedDraws paired(const Draw& draw, std::size_t channels = 1) {
+  return paired_draws<Packet>(body_of<double>(draw), body_of<Packet>(draw), channels);
+}
+
+constexpr std::array<SamplingScheme, 3> all_schemes{SamplingScheme{}, SamplingScheme{16}, SamplingScheme{64}};
 
 // 2, off by so much in each arithmetic, without chance.
-Finding found_steady(double packets_bias, double double_bias, const Spread& spread) {
+Finding found_steady(double packets_bias, double double_bias, const SamplingScheme& scheme) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     return Real(rounded<Real>(2 * (1 + (lanes<Real> > 1 ? packets_bias : double_bias))) + Real(0) * source.next());
   };
-  return AlongPackets(trial, two, draw).finding({spread});
+  return PacketControlVariate(trial, two, paired(draw)).finding({scheme});
 }
 
 template <class Draw>
 Finding found_independently(const Trial& t, const std::vector<Reference>& references, const Draw& draw) {
-  return AlongPackets(t, references, draw).finding({});
+  return PacketControlVariate(t, references, paired(draw, references.size())).finding({});
 }
 
-TEST(AlongPackets, CertifiesTheMeanInDouble) {
-  for (const Spread& spread : all_spreads) {
-    const Finding finding = AlongPackets(trial, two, ramp(0, 0)).finding({spread});
+TEST(PacketControlVariate, CertifiesTheMeanInDouble) {
+  for (const SamplingScheme& scheme : all_schemes) {
+    const Finding finding = PacketControlVariate(trial, two, paired(ramp(0, 0))).finding({scheme});
     EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
     EXPECT_EQ(finding.guarantee, Guarantee::exact);
     EXPECT_EQ(finding.margin, trial.margin);
@@ -49,31 +55,31 @@ TEST(AlongPackets, CertifiesTheMeanInDouble) {
   }
 }
 
-TEST(AlongPackets, FindsABiasOfEitherArithmeticAndSaysWhich) {
-  for (const Spread& spread : all_spreads) {
+TEST(PacketControlVariate, FindsABiasOfEitherArithmeticAndSaysWhich) {
+  for (const SamplingScheme& scheme : all_schemes) {
     for (const double bias : {-0.02, 0.02}) {
-      const Finding both = found_steady(bias, bias, spread), packets = found_steady(bias, 0, spread),
-                    doubles = found_steady(0, bias, spread);
+      const Finding both = found_steady(bias, bias, scheme), packets = found_steady(bias, 0, scheme),
+                    doubles = found_steady(0, bias, scheme);
       for (const Finding& finding : {both, packets, doubles}) {
         EXPECT_EQ(finding.verdict, Verdict::biased);
         EXPECT_EQ(finding.margin, trial.margin);
         EXPECT_NEAR(finding.bias, bias, finding.rounding);
       }
-      EXPECT_TRUE(both.note.starts_with("seen in packets of floats")) << both.note;
-      EXPECT_TRUE(packets.note.starts_with("seen in packets of floats")) << packets.note;
-      EXPECT_EQ(packets.note.find("Sobol") != std::string::npos, spread.over_points) << packets.note;
-      EXPECT_TRUE(doubles.note.starts_with("less its draws in packets")) << doubles.note;
+      EXPECT_TRUE(both.note.starts_with("tested in packets")) << both.note;
+      EXPECT_TRUE(packets.note.starts_with("tested in packets")) << packets.note;
+      EXPECT_EQ(packets.note.find("Sobol") != std::string::npos, !scheme.is_independent()) << packets.note;
+      EXPECT_TRUE(doubles.note.starts_with("the difference between double and packets")) << doubles.note;
     }
   }
 }
 
 // One channel is off in packets by half of the margin, and another is as much in what double has more.
-TEST(AlongPackets, AddsUpThePartsOfAChannel) {
+TEST(PacketControlVariate, AddsUpThePartsOfAChannel) {
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
     const Real x = Real(2) * source.next() + Real(1);
     return Rgb<Real>(x * rounded<Real>(1.005), x * rounded<Real>(lanes<Real> > 1 ? 1 : 1.001), x);
   };
-  const Trial wide{"along_packets_test", 1, 1e-6, 0.01, 0.1};
+  const Trial wide{"packet_control_variate_test", 1, 1e-6, 0.01, 0.1};
   const Finding finding = found_independently(wide, {{2, 0, 4}, {2, 0, 4}, {2, 0, 4}}, draw);
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_LE(finding.interval.lo, 0.005);
@@ -81,7 +87,7 @@ TEST(AlongPackets, AddsUpThePartsOfAChannel) {
 }
 
 // Neither twice its range is out of the question for a difference, nor a number that is not finite.
-TEST(AlongPackets, NamesADrawInDoubleThatIsOutOfItsRange) {
+TEST(PacketControlVariate, NamesADrawInDoubleThatIsOutOfItsRange) {
   for (const double value : {-0.1, 4.1, std::numeric_limits<double>::infinity(), std::nan("")}) {
     for (const double slack : {0.0, 1e-8}) {
       const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
@@ -96,11 +102,11 @@ TEST(AlongPackets, NamesADrawInDoubleThatIsOutOfItsRange) {
   }
 }
 
-TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
+TEST(PacketControlVariate, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   const auto draw = ramp(0, 0);
   const auto pays = [&](const Reference& reference, double margin) {
-    const Trial one{"along_packets_test", 1, 1e-6, 0.01, margin};
-    return AlongPackets(one, {reference}, draw).pays().has_value();
+    const Trial one{"packet_control_variate_test", 1, 1e-6, 0.01, margin};
+    return PacketControlVariate(one, {reference}, paired(draw)).pays().has_value();
   };
   EXPECT_TRUE(pays({2, 0, 4}, 1e-3));
   EXPECT_FALSE(pays({2, 0, 4000}, 1e-3));
@@ -114,26 +120,26 @@ TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
 }
 
 // As where a packet goes on until the last of its lanes has ended.
-TEST(AlongPackets, DoesNotPayWherePacketsDrawManyMoreNumbers) {
+TEST(PacketControlVariate, DoesNotPayWherePacketsDrawManyMoreNumbers) {
   const auto pays = [](int more) {
     const auto draw = [more]<class Real>(std::type_identity<Real> real, auto& source) {
       const Real ramp_of_the_first = ramp(0, 0)(real, source);
       for (int i = 0; i < (lanes < Real >> 1 ? more : 0); ++i) source.next();
       return ramp_of_the_first;
     };
-    return AlongPackets({"along_packets_test", 1, 1e-6, 0.01, 1e-3}, two, draw).pays().has_value();
+    return PacketControlVariate({"packet_control_variate_test", 1, 1e-6, 0.01, 1e-3}, two, paired(draw)).pays().has_value();
   };
   EXPECT_TRUE(pays(0));
   EXPECT_FALSE(pays(40));
 }
 
-TEST(AlongPackets, TakesPointsWhereTheyVaryLess) {
-  const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 1e-3};
-  EXPECT_GT(AlongPackets(fine, two, ramp(0, 0)).pays()->spread.count, 1u);
+TEST(PacketControlVariate, TakesPointsWhereTheyVaryLess) {
+  const Trial fine{"packet_control_variate_test", 1, 1e-6, 0.01, 1e-3};
+  EXPECT_GT(PacketControlVariate(fine, two, paired(ramp(0, 0))).pays()->scheme.points, 1u);
 }
 
 // One path in so many parts from the double's, by half of the mean, either way. The ramp is one of 64 in a row, so that points vary no less.
-TEST(AlongPackets, LeavesMoreToDifferencesWhereTheyAreDear) {
+TEST(PacketControlVariate, LeavesMoreToDifferencesWhereTheyAreDear) {
   const auto share = [](double parted) {
     const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
       const Real u = source.next();
@@ -143,21 +149,21 @@ TEST(AlongPackets, LeavesMoreToDifferencesWhereTheyAreDear) {
       using std::floor;
       return Real(Real(2) * (ramps - floor(ramps)) + Real(1) + (lanes<Real> > 1 ? Real(0) : apart));
     };
-    const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 2.5e-4};
-    return AlongPackets(fine, {{2, -4, 8}}, draw).pays()->share;
+    const Trial fine{"packet_control_variate_test", 1, 1e-6, 0.01, 2.5e-4};
+    return PacketControlVariate(fine, {{2, -4, 8}}, paired(draw)).pays()->share;
   };
-  EXPECT_EQ(share(0), PacketPlan::shares.front());
-  EXPECT_LT(share(0.05), PacketPlan::shares.front());
+  EXPECT_EQ(share(0), PacketControlVariate::Plan::shares.front());
+  EXPECT_LT(share(0.05), PacketControlVariate::Plan::shares.front());
 }
 
 // Beyond its bound a draw is not the difference's matter, which else would have none.
-TEST(AlongPackets, LeavesOutWhatIsInTheTail) {
+TEST(PacketControlVariate, LeavesOutWhatIsInTheTail) {
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
     return Real(select(source.next() < Real(0.5), Real(1), rounded<Real>(lanes<Real> > 1 ? 11 : 21)));
   };
   const auto largest = [&](const Reference& reference) {
     std::vector channels(1, std::vector<double>(64));
-    less_packets(StreamKey(1, "tail"), {reference}, draw)(0, channels);
+    paired(draw).double_minus_packet(StreamKey(1, "tail"), {reference})(0, channels);
     return *std::ranges::max_element(channels[0]);
   };
   EXPECT_EQ(largest({10, 0, 30}), 10);
@@ -165,7 +171,7 @@ TEST(AlongPackets, LeavesOutWhatIsInTheTail) {
 }
 
 // The mean of e-values is one; of two parts the one that is off has the less wealth that speaks against it.
-TEST(AlongPackets, LeavesTheWealthOfBothParts) {
+TEST(PacketControlVariate, LeavesTheWealthOfBothParts) {
   const Wealth joint = detail::joint(Wealth{std::log(3), 0, 5, 2}, Wealth{0, std::log(7), 1, 4});
   EXPECT_DOUBLE_EQ(joint.too_bright, std::log(2));
   EXPECT_DOUBLE_EQ(joint.too_dark, std::log(4));
@@ -175,8 +181,8 @@ TEST(AlongPackets, LeavesTheWealthOfBothParts) {
   EXPECT_EQ(detail::joint(Wealth{infinite, 0, 0, 0}, Wealth{}).too_bright, infinite);
 }
 
-TEST(AlongPackets, LeavesOneLadderAChannelAndFewDrawsInDouble) {
-  const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 2e-3};
+TEST(PacketControlVariate, LeavesOneLadderAChannelAndFewDrawsInDouble) {
+  const Trial fine{"packet_control_variate_test", 1, 1e-6, 0.01, 2e-3};
   for (const double bias : {0.0, 2e-3}) {  // of double alone
     Evidence evidence;
     Trial watched = fine;
@@ -215,14 +221,14 @@ TEST(CheckMeanInDouble, IsAloneWhereSomebodyListens) {
   const auto draw = []<class Real>(std::type_identity<Real>, auto&) {
     return rounded<Real>(lanes<Real> > 1 ? 2 : 1.5);
   };
-  EXPECT_EQ(check_mean_in_double(watched, {{2, 0, 4}}, draw).draws, heard);
+  EXPECT_EQ(check_mean_in_double(watched, {{2, 0, 4}}, paired(draw)).draws, heard);
 }
 
 TEST(CheckMeanInDouble, HasOneVerdictEitherWay) {
   for (const double upper : {4.0, 400.0}) {
     const std::vector<Reference> references{{2, 0, upper}};
-    EXPECT_EQ(check_mean_in_double(trial, references, ramp(0, 0)).verdict, Verdict::certified) << upper;
-    EXPECT_EQ(check_mean_in_double(trial, references, ramp(0.1, 0.1)).verdict, Verdict::biased) << upper;
+    EXPECT_EQ(check_mean_in_double(trial, references, paired(ramp(0, 0))).verdict, Verdict::certified) << upper;
+    EXPECT_EQ(check_mean_in_double(trial, references, paired(ramp(0.1, 0.1))).verdict, Verdict::biased) << upper;
   }
 }
 

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <vector>
+
+#include <fairlight/estimators/concepts.h>
+#include <fairlight/stats/law_test.h>
+#include <fairlight/stats/rosenblatt.h>
+#include <fairlight/validation/checks/means.h>
+#include <fairlight/validation/checks/pairs.h>
+
+namespace fairlight {
+
+/// The draws of a sampler one by one, in order, though they are made a packet at a time.
+template <Sampler Law>
+class SamplerDraws {
+ public:
+  using Real = typename Law::Scalar;
+
+  SamplerDraws(const Law& law, const Pairs<Real>& pairs) : law_(law), pairs_(pairs) {}
+
+  /// Draw i, in double; and the density that the law gives it.
+  auto point(std::uint64_t i) { return detail::lane_of(packet(i).point, i % lanes<Real>); }
+  double density(std::uint64_t i) { return detail::lane_of(law_.pdf(packet(i).point).value(), i % lanes<Real>); }
+
+ private:
+  struct Made {
+    std::uint64_t number;
+    typename Law::Point point;
+  };
+
+  const Made& packet(std::uint64_t i) {
+    if (made_.empty() || made_[0].number != i / lanes<Real>)
+      made_.assign(1, {i / lanes<Real>, law_.sample(pairs_(i - i % lanes<Real>))});
+    return made_[0];
+  }
+
+  Law law_;
+  Pairs<Real> pairs_;
+  std::vector<Made> made_;
+};
+
+/// A sampler's draws in double follow its density, which integrates to one over the domain.
+template <Sampler Law, class Domain>
+Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
+  SamplerDraws draws(law, independent_pairs<double>(StreamKey(trial.seed, trial.claim)));
+  return test_law(
+      trial, domain, [&](const typename Law::Point& x) { return law.pdf(x).value(); },
+      [&](std::uint64_t i) { return typename Law::Point(draws.point(i)); });
+}
+
+namespace detail {
+
+/// As check_law_moments, from pairs that come in replicates.
+template <Sampler Drawn, Sampler Law, class Domain>
+Finding check_law_moments_of(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain,
+                             const Pairs<typename Drawn::Scalar>& pairs, std::uint32_t replicate) {
+  SamplerDraws draws(drawn, pairs);
+  return test_rosenblatt(
+      trial, [&](double s, double t) { return law.pdf(domain.at(s, t)).value() * domain.size(); },
+      [&](std::uint64_t i) { return domain.coordinates(draws.point(i)); }, replicate);
+}
+
+}  // namespace detail
+
+/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact,
+/// and blind to fine waves.
+template <Sampler Drawn, Sampler Law, class Domain>
+Finding check_law_moments(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain) {
+  const StreamKey key(trial.seed, trial.claim);
+  return detail::check_law_moments_of(trial, drawn, law, domain, independent_pairs<typename Drawn::Scalar>(key),
+                                      1);
+}
+
+/// The same over Sobol' points. A draw's law does not depend on how its numbers are spread, and over a replicate of points its
+/// moments hardly vary.
+template <Sampler Drawn, Sampler Law, class Domain>
+Finding check_law_moments_over_points(const Trial& trial, const Drawn& drawn, const Law& law,
+                                      const Domain& domain) {
+  const StreamKey key(trial.seed, trial.claim);
+  constexpr std::uint32_t n = points_a_replicate;
+  return detail::check_law_moments_of(trial, drawn, law, domain, point_pairs<typename Drawn::Scalar>(key, n),
+                                      n);
+}
+
+/// Two arithmetics give the draws of the first the same density: the ratio has the mean 1, and is nowhere above 2.
+template <Sampler Drawn, Sampler Law>
+Finding check_density(const Trial& trial, const Drawn& drawn, const Law& law) {
+  using Real = typename Drawn::Scalar;
+  SamplerDraws draws(drawn, independent_pairs<Real>(StreamKey(trial.seed, trial.claim)));
+  const Reference reference{
+      .mean = 1, .lower = 0, .upper = 2, .sides = Sides::both, .rounding = arithmetic_rounding<Real>};
+  return test_means(trial, {reference}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+    for (std::size_t i = 0; i < channels[0].size(); ++i) {
+      channels[0][i] = draws.density(first + i) / law.pdf(typename Law::Point(draws.point(first + i))).value();
+    }
+  });
+}
+
+}  // namespace fairlight

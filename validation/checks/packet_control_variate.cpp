@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fairlight/stats/text.h>
+#include <fairlight/validation/checks/means.h>
+
+namespace fairlight {
+namespace {
+
+constexpr double few = 16384;  // draws: ten times what pilots cost
+
+// The most that a tail may hide of a margin: the thousandth that share_of_difference leaves, at a margin 45 times as
+// fine, which is the finest that a run leaves evidence for.
+constexpr double most_in_tail = 2e-5;
+
+// What the difference has of the margin where the mean in packets has this share. A thousandth is left for tails.
+double share_of_difference(double share_of_packets) { return 0.999 - share_of_packets; }
+
+// Of the difference of a draw in double from one in packets, where both have these references, and the packets' mean
+// this share: the trial's margin is a share of what it was, and a bias so much more.
+std::vector<Reference> of_difference(const std::vector<Reference>& references, double rounding, double share_of_packets) {
+  const std::vector<Reference> packets = rounded_references(references, rounding);
+  const double share = share_of_difference(share_of_packets);
+  std::vector<Reference> differences;
+  for (std::size_t c = 0; c < references.size(); ++c) {
+    const Reference &r = references[c], &p = packets[c];
+    differences.push_back({.mean = 0,
+                           .lower = r.lower - p.upper,
+                           .upper = r.upper - p.lower,
+                           .scale = r.scale * share,
+                           .rounding = (rounding + r.tail_slack / r.scale) / share});
+  }
+  return differences;
+}
+
+double log_of_mean(double log_a, double log_b) {
+  const double top = std::max(log_a, log_b);
+  return std::isinf(top) ? top : top + std::log((std::exp(log_a - top) + std::exp(log_b - top)) / 2);
+}
+
+Ladder joint(Ladder a, const Ladder& b) {
+  for (std::size_t c = 0; c < a.channels.size(); ++c) {
+    for (std::size_t r = 0; r < a.channels[c].size(); ++r) {
+      a.channels[c][r] = detail::joint(a.channels[c][r], b.channels.empty() ? Wealth{} : b.channels[c][r]);
+    }
+  }
+  return a;
+}
+
+// Which part it is that has no certificate, and what is noted there.
+std::string note_on(const std::string& part, const std::string& note) {
+  return note.empty() ? part : part + ": " + note;
+}
+
+// What two parts found of a channel, of the whole. The packets had the share p.
+Finding sum_of(const Trial& trial, const Finding& packets, const Finding& difference, double p) {
+  const double d = share_of_difference(p);
+  Finding sum = packets;
+  sum.verdict = worse(packets.verdict, difference.verdict);
+  sum.margin = trial.margin;
+  sum.bias = p * packets.bias + d * difference.bias;
+  sum.interval = {p * packets.interval.lo + d * difference.interval.lo,
+                  p * packets.interval.hi + d * difference.interval.hi};
+  sum.draws += difference.draws;
+  sum.rounding = p * packets.rounding + d * difference.rounding;
+  if (difference.verdict != Verdict::certified)
+    sum.note = note_on("the difference between double and packets", difference.note);
+  return sum;
+}
+
+}  // namespace
+
+namespace detail {
+
+Wealth joint(const Wealth& a, const Wealth& b) {
+  return {log_of_mean(a.too_bright, b.too_bright), log_of_mean(a.too_dark, b.too_dark),
+          std::min(a.not_brighter, b.not_brighter), std::min(a.not_darker, b.not_darker)};
+}
+
+}  // namespace detail
+
+PacketControlVariate::PacketControlVariate(const Trial& trial, const std::vector<Reference>& references,
+                                           const PairedDraws& draws)
+    : trial_(trial), references_(references), draws_(draws), packets_(trial, references, draws.in_packets) {}
+
+std::vector<Reference> PacketControlVariate::difference_references(double share) const {
+  return of_difference(references_, draws_.in_packets.rounding, share);
+}
+
+// Whether both parts can be tested to their shares of the margin.
+bool PacketControlVariate::fits(double share) const {
+  const std::vector<Reference> packets = packets_.references({}, share), differences = difference_references(share);
+  for (std::size_t c = 0; c < references_.size(); ++c) {
+    const Reference& r = references_[c];
+    const double rounding = std::max(packets[c].rounding, differences[c].rounding);
+    if (r.sides != Sides::both || r.tail_slack > most_in_tail * trial_.margin * r.scale || rounding > trial_.margin / 4)
+      return false;
+  }
+  return true;
+}
+
+std::optional<PacketControlVariate::Plan> PacketControlVariate::pays() const try {
+  if (std::ranges::none_of(Plan::shares, [this](double share) { return fits(share); })) return std::nullopt;
+  return cheapest_plan();
+} catch (const BadDraw&) {
+  return std::nullopt;
+}
+
+std::optional<PacketControlVariate::Plan> PacketControlVariate::cheapest_plan() const {
+  const auto lanes = static_cast<double>(draws_.in_packets.lanes);
+  auto pilots = packets_.pilots();
+  double least = lanes * pilots.independent(1).cost;
+  if (least < few) return std::nullopt;
+  pilots.add_points();
+  const double packet = draws_.draws_a_packet(StreamKey(trial_.seed, trial_.claim + " in double length"));
+  if (packet * pilots.cheapest(Plan::shares.front()).cost > least) return std::nullopt;
+  const double pilot_size = std::clamp(least / 1000, 512.0, 16384.0);  // rare differences may say most
+  std::vector differences(references_.size(), std::vector<double>(static_cast<std::size_t>(pilot_size)));
+  difference_draws(" pilot")(0, differences);
+  std::optional<Plan> plan;
+  for (const double share : Plan::shares) {
+    if (!fits(share)) continue;
+    const auto [scheme, cost] = pilots.cheapest(share);
+    const double whole =
+        packet * cost + (1 + packet / lanes) * expected_draws(trial_, difference_references(share), differences);
+    if (whole > least) continue;
+    least = whole;
+    plan = Plan{scheme, share};
+  }
+  return plan;
+}
+
+Finding PacketControlVariate::finding(const Plan& plan) const {
+  Evidence of_packets, of_difference;
+  const std::vector<Finding> packets = packets_.test_each(part(0, of_packets), plan.scheme, plan.share);
+  const bool go_on = worst_of(packets).verdict == Verdict::certified;
+  std::vector<Finding> differences(packets.size(), Finding{.verdict = Verdict::certified});
+  if (go_on)
+    differences = test_each_mean(part(1, of_difference), difference_references(plan.share), difference_draws(""));
+  leave(of_packets, of_difference);
+  std::vector<Finding> sums;
+  for (std::size_t c = 0; c < packets.size(); ++c) {
+    sums.push_back(sum_of(trial_, packets[c], differences[c], plan.share));
+  }
+  Finding whole = worst_of(sums);
+  if (!go_on)
+    whole.note = note_on(plan.scheme.is_independent() ? "tested in packets" : "tested in packets over Sobol' points",
+                         whole.note);
+  return whole;
+}
+
+// The trial of the first part, or the second.
+Trial PacketControlVariate::part(int i, Evidence& evidence) const {
+  Trial part = trial_;
+  part.alpha /= 2;
+  part.evidence = trial_.evidence == nullptr ? nullptr : &evidence;
+  if (trial_.watch) part.watch = [this, i](double done) { return goes_on(trial_, (i + done) / 2); };
+  return part;
+}
+
+DrawBlock PacketControlVariate::difference_draws(const std::string& purpose) const {
+  return draws_.double_minus_packet(StreamKey(trial_.seed, trial_.claim + " in double" + purpose), references_);
+}
+
+void PacketControlVariate::leave(const Evidence& packets, const Evidence& difference) const {
+  if (trial_.evidence == nullptr) return;
+  trial_.evidence->ladder = joint(packets.ladder, difference.ladder);
+  for (const Evidence* each : {&packets, &difference}) {
+    trial_.evidence->means.insert(trial_.evidence->means.end(), each->means.begin(), each->means.end());
+  }
+}
+
+}  // namespace fairlight

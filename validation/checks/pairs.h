@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include <fairlight/estimators/stream.h>
+#include <fairlight/estimators/vec.h>
+
+namespace fairlight {
+
+/// What samplers draw from: a point of the unit square for draws i, i + 1, ..., one a lane.
+template <class Real>
+using Pairs = std::function<Vec2<Real>(std::uint64_t i)>;
+
+/// The first two independent numbers of each draw.
+template <class Real>
+Pairs<Real> independent_pairs(const StreamKey& key);
+
+/// Sobol' points, one replicate of n after the other, which must fill whole packets (else std::invalid_argument).
+template <class Real>
+Pairs<Real> point_pairs(const StreamKey& key, std::uint32_t n);
+
+extern template Pairs<double> independent_pairs(const StreamKey&);
+extern template Pairs<Packet> independent_pairs(const StreamKey&);
+extern template Pairs<double> point_pairs(const StreamKey&, std::uint32_t);
+extern template Pairs<Packet> point_pairs(const StreamKey&, std::uint32_t);
+
+}  // namespace fairlight
