@@ -2,6 +2,7 @@
 #include <utility>
 
 #include <fairlight/render/cornell.h>
+#include <fairlight/render/nearest_names.h>
 
 namespace fairlight {
 namespace {
@@ -24,12 +25,11 @@ std::vector<std::string> scene_names() {
 }
 
 View built_in_scene(const std::string& name) {
-  std::string message = "there is no scene \"" + name + "\" (choose one of:";
   for (const auto& [known, make] : scenes) {
     if (name == known) return make();
-    message += std::string(" ") + known;
   }
-  throw std::invalid_argument(message + ")");
+  throw std::invalid_argument("there is no scene \"" + name + "\" " +
+                              did_you_mean(name, scene_names(), "fairlight scenes"));
 }
 
 }  // namespace fairlight

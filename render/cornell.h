@@ -31,7 +31,7 @@ View hallway();
 /// The names of the built-in scenes.
 std::vector<std::string> scene_names();
 
-/// A built-in scene by name. Throws std::invalid_argument, naming those that exist, for any other.
+/// A built-in scene by name. Throws std::invalid_argument, naming the nearest, for any other.
 View built_in_scene(const std::string& name);
 
 }  // namespace fairlight

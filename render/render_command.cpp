@@ -1,36 +1,26 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 
 #include <sys/resource.h>
 
 #include <fairlight/render/contact_sheet.h>
-#include <fairlight/render/instruction_sets.h>
+#include <fairlight/render/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/render_command.h>
 #include <fairlight/render/render_image.h>
+#include <fairlight/render/render_options.h>
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
 
 namespace fairlight {
 namespace {
 
-constexpr std::uint64_t most_samples = 0xFFFFFFFF;  // of a pixel: the EXR's layer counts in 32 bits
 constexpr unsigned long most_shards = 65536;
 constexpr std::uint32_t usual_points = 16;
-
-struct RenderOptions {
-  RenderSettings settings;
-  std::uint64_t spp = 0;
-  std::uint32_t points = 0;  ///< 0 if not given
-  std::string output, png, json, seed, resume, instructions;
-  std::string shard = "1/1";
-  int threads = hardware_threads();
-};
 
 // Shard i of N holds sets (i-1) sets / N to i sets / N, of so many points each.
 SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint64_t sets, std::uint64_t points) {
@@ -143,81 +133,13 @@ int merge(const std::vector<std::string>& inputs, const std::string& output) {
   return 0;
 }
 
-// An empty value is what an unset shell variable makes; it is not the same as no option.
-std::string not_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
-
-std::vector<std::string> instruction_names() {
-  std::vector<std::string> names;
-  for (const InstructionSet& set : instruction_sets()) names.push_back(set.name);
-  return names;
-}
-
-void add_files(CLI::App& app, RenderOptions& options) {
-  app.add_option("-o", options.output, "The picture, as EXR")->check(not_empty, "")->required()->type_name("F.exr");
-  app.add_option("--png", options.png, "A preview, as PNG")->check(not_empty, "")->type_name("F.png");
-  app.add_option("--json", options.json, "What it cost, as JSON")->check(not_empty, "")->type_name("F.json");
-  app.add_option("--spp", options.spp, "Samples per pixel to add")
-      ->required()
-      ->check(CLI::Range(std::uint64_t{1}, most_samples));
-  app.add_option("--resume", options.resume, "Go on from this picture, with its seed")
-      ->check(not_empty, "")
-      ->type_name("F.exr");
-  app.add_option("--shard", options.shard, "Only part i of N of the samples")->type_name("i/N");
-  app.add_option("--width", options.settings.width, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
-  app.add_option("--height", options.settings.height, "Pixels")->check(CLI::Range(1, 65536))->capture_default_str();
-}
-
-void add_strategies(CLI::App& app, RenderOptions& options) {
-  RenderSettings& settings = options.settings;
-  const auto choice = [&app](const char* name, std::string& value, const char* help,
-                             std::vector<std::string> values) {
-    app.add_option(name, value, help)->check(CLI::IsMember(std::move(values)))->capture_default_str();
-  };
-  choice("--real", settings.real, "Packets of floats, or doubles one at a time", {"packet", "double"});
-  choice("--bounce", settings.bounce, "How directions are sampled", {"cosine", "uniform"});
-  choice("--direct", settings.direct, "Shadow rays to luminaires, none, or shared with bounces",
-         {"light", "none", "mis"});
-  choice("--light-sampling", settings.light_sampling, "How a luminaire's points are sampled",
-         {"area", "visible", "cone", "solid-angle"});
-  choice("--which-light", settings.which_light, "All luminaires, or one of them: any, or by power or contribution",
-         {"all", "one", "power", "contribution"});
-  choice("--roulette", settings.roulette, "What decides whether a path goes on", {"albedo", "throughput", "off"});
-  app.add_option("--roulette-depth", settings.roulette_depth,
-                 "The first bounce that roulette may refuse; 1 by albedo and 5 by throughput if not given")
-      ->check(CLI::Range(1, 1 << 20));
-  choice("--filter", settings.filter, "The pixel filter", {"tent", "box", "gaussian", "blackman-harris"});
-  choice("--random", settings.random, "Where random numbers come from", {"independent", "sobol", "stratified"});
-  app.add_option("--points", options.points,
-                 "Samples that sobol and stratified spread together: a power of two up to 1024; 16 if not given")
-      ->check(CLI::Range(1, 1024));
-  app.add_option("--max-depth", settings.max_depth, "Bounces after which a path ends")
-      ->check(CLI::Range(0, 1 << 20));
-}
-
-void add_lens(CLI::App& app, RenderSettings& settings) {
-  const CLI::Range any_size(0.0, std::numeric_limits<double>::max());
-  app.add_option("--aperture", settings.aperture,
-                 "The radius of the lens, 0 for a pinhole; the scene's own if not given")
-      ->check(any_size);
-  app.add_option("--focus", settings.focus, "The distance that is seen sharp; the scene's own if not given")
-      ->check(any_size);
-  app.add_option("--fov", settings.fov, "The vertical field of view in degrees; the scene's own if not given")
-      ->check(any_size);
-}
-
 void add_render(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("render", "Render a built-in scene to an OpenEXR file");
+  auto* app = program.add_subcommand("render", "Render a scene to an OpenEXR file.");
   auto options = std::make_shared<RenderOptions>();
-  app->add_option("scene", options->settings.scene, "Which scene: see `fairlight scenes`")
-      ->required()
-      ->type_name("SCENE");
-  add_files(*app, *options);
-  add_strategies(*app, *options);
-  add_lens(*app, options->settings);
-  app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
-  app->add_option("--instructions", options->instructions, "What packets are worked on by; the widest if not given")
-      ->check(CLI::IsMember(instruction_names()));
-  app->add_option("--seed", options->seed, "1 to 16 hexadecimal digits; fresh if not given")->check(not_empty, "");
+  add_render_options(*app, *options);
+  add_examples(*app, {"fairlight render cornell-simple --spp 256 -o box.exr --png box.png",
+                      "fairlight render hallway --spp 64 --aperture 4 --focus 230 -o hallway.exr",
+                      "fairlight render cornell-simple --spp 256 --resume box.exr -o box.exr"});
   app->callback([options, &command] {
     if (options->points != 0)
       options->settings.points = options->points;
@@ -228,11 +150,15 @@ void add_render(CLI::App& program, Command& command) {
 }
 
 void add_merge(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("merge", "Merge renders of one scene, with different samples, into one");
+  auto* app = program.add_subcommand("merge", "Merge renders of one scene, with different samples, into one.");
   auto inputs = std::make_shared<std::vector<std::string>>();
   auto output = std::make_shared<std::string>();
-  app->add_option("pictures", *inputs, "Renders")->required()->type_name("F.exr");
-  app->add_option("-o", *output, "The picture, as EXR")->required()->type_name("F.exr");
+  begin_group(*app, "Files");
+  app->add_option("pictures", *inputs, "Merge these renders, all made with the same settings.")
+      ->required()
+      ->type_name("F.exr");
+  add_text(*app, "-o", *output, "F.exr", "Write the merged picture to this OpenEXR file.")->required();
+  add_examples(*app, {"fairlight merge shard1.exr shard2.exr -o box.exr"});
   app->callback([inputs, output, &command] { command = [inputs, output] { return merge(*inputs, *output); }; });
 }
 
@@ -253,18 +179,16 @@ int list_scenes(const SheetOptions& options) {
 }
 
 void add_scenes(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("scenes", "List the built-in scenes; and show them all on one sheet");
+  auto* app = program.add_subcommand("scenes", "List the built-in scenes, and render them all on one sheet.");
   auto options = std::make_shared<SheetOptions>();
-  app->add_option("--png", options->png, "Render them all, three in a row")
-      ->check(not_empty, "")
-      ->type_name("F.png");
-  app->add_option("--size", options->size, "Pixels of each, across and down")
-      ->check(CLI::Range(1, 4096))
+  begin_group(*app, "Sheet");
+  add_text(*app, "--png", options->png, "F.png", "Render all scenes, three in a row, to this PNG file.");
+  add_count(*app, "--size", options->size, 1, 4096, "Make each scene this many pixels wide and high.")
       ->capture_default_str();
-  app->add_option("--spp", options->spp, "Samples per pixel")
-      ->check(CLI::Range(std::uint64_t{1}, most_samples))
+  add_count(*app, "--spp", options->spp, std::uint64_t{1}, most_samples, "Take this many samples of every pixel.")
       ->capture_default_str();
-  app->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  add_threads(*app, options->threads);
+  add_examples(*app, {"fairlight scenes", "fairlight scenes --png scenes.png --size 128 --spp 64"});
   app->callback([options, &command] { command = [options] { return list_scenes(*options); }; });
 }
 

@@ -50,6 +50,7 @@ void check_camera(const View& view, const Strategies& strategies, const Film& fi
 View view_of(const RenderSettings& settings) { return with_camera_of(settings, built_in_scene(settings.scene)); }
 
 View with_camera_of(const RenderSettings& settings, View view) {
+  check_finite(settings);
   CameraSettings camera = view.camera.settings();
   if (settings.aperture >= 0) camera.aperture_radius = settings.aperture;
   if (settings.focus >= 0) camera.focus_distance = settings.focus;
@@ -69,6 +70,7 @@ void check_whole_sets(const RenderSettings& settings, std::uint64_t samples) {
 
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions) {
+  check_finite(settings);
   const Strategies strategies(settings, view.scene);
   check_camera(view, strategies, film);
   if (settings.real == "packet") {

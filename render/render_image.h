@@ -9,10 +9,12 @@
 
 namespace fairlight {
 
-/// The scene that the settings name, through the camera that they ask for. Throws std::invalid_argument for one that does not exist.
+/// The scene that the settings name, through the camera that they ask for. Throws
+/// std::invalid_argument for a scene that does not exist; and as with_camera_of does.
 View view_of(const RenderSettings& settings);
 
-/// Any scene through the camera that they ask for.
+/// Any scene through the camera that they ask for. Throws std::invalid_argument for a number that
+/// is not finite, and as Camera does.
 View with_camera_of(const RenderSettings& settings, View view);
 
 /// Samples that come in sets are rendered by whole sets. Throws std::invalid_argument, saying what would do, for a number of them that

@@ -30,9 +30,16 @@ struct RenderSettings {
   double focus = -1;         ///< what is seen sharp, along the axis [m]; negative for the scene's own
   double fov = -1;           ///< the vertical field of view [degrees]; negative for the scene's own
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RenderSettings, scene, width, height, real, bounce, direct, light_sampling,
-                                   which_light, roulette, roulette_depth, filter, random, points, max_depth,
-                                   aperture, focus, fov)
+
+/// Throws std::invalid_argument, naming it, for a number that is not finite: a NaN is neither given
+/// nor left to the scene.
+void check_finite(const RenderSettings& settings);
+
+/// An object with every setting under its name. Both throw std::invalid_argument, which names the
+/// setting: the first as check_finite does, the second for one that is missing, null or of another
+/// type.
+void to_json(nlohmann::json& json, const RenderSettings& settings);
+void from_json(const nlohmann::json& json, RenderSettings& settings);
 
 /// Samples first .. last - 1 of every pixel.
 struct SampleRange {

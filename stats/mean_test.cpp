@@ -134,6 +134,15 @@ std::vector<BettingTest> tests_of(const Trial& trial, const std::vector<Referenc
   return tests;
 }
 
+// An interval that reaches biases which a one-sided claim allows has all of them: its end there is
+// open. One that does not, of a mean on the wrong side, has both ends.
+Interval with_open_side(Interval bias, Sides sides) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  if (sides == Sides::not_above && bias.lo <= 0) bias.lo = -infinite;
+  if (sides == Sides::not_below && bias.hi >= 0) bias.hi = infinite;
+  return bias;
+}
+
 Finding finding_of(const BettingTest& test, const Reference& reference, double margin) {
   const Interval interval = test.interval();
   const auto relative = [&](double x) { return (x - reference.mean) / reference.scale; };
@@ -141,9 +150,17 @@ Finding finding_of(const BettingTest& test, const Reference& reference, double m
           Guarantee::exact,
           margin,
           relative(test.moments().mean()),
-          {relative(interval.lo), relative(interval.hi)},
+          with_open_side({relative(interval.lo), relative(interval.hi)}, reference.sides),
           test.moments().count(),
           reference.rounding};
+}
+
+// How far off a channel is: the way that a one-sided claim excludes, where the other end is open.
+double size_of_bias(const Finding& finding) {
+  const bool open_below = std::isinf(finding.interval.lo);
+  const bool open_above = std::isinf(finding.interval.hi);
+  if (open_below == open_above) return std::abs(finding.bias);
+  return open_below ? finding.bias : -finding.bias;
 }
 
 }  // namespace
@@ -159,7 +176,7 @@ Finding worst_of(const std::vector<Finding>& channels) {
   for (const Finding& finding : channels) {
     const Verdict verdict = worse(worst.verdict, finding.verdict);
     const std::uint64_t draws = std::max(worst.draws, finding.draws);
-    if (std::abs(finding.bias) > std::abs(worst.bias)) worst = finding;
+    if (size_of_bias(finding) > size_of_bias(worst)) worst = finding;
     worst.verdict = verdict;
     worst.draws = draws;
   }

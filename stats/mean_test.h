@@ -27,11 +27,12 @@ double finest_margin(const std::vector<Reference>& references);
 /// Fills channels[c][i] with channel c of draw first + i, for every i. The channels come with their size.
 using DrawBlock = std::function<void(std::uint64_t first, std::vector<std::vector<double>>& channels)>;
 
-/// The core test on every channel of an estimator, each with an equal part of alpha. Certified when all channels
-/// are, biased when one is; a draw that the reference rules out is `biased` too, named in the note. Undecided when
-/// the cap on draws comes first, which on right code is as rare as a false alarm. Guarantee: exact. The finding
-/// shows the channel of the largest bias. Throws std::invalid_argument for no references, or one that cannot be
-/// tested.
+/// The core test on every channel of an estimator, each with an equal part of alpha. Certified when
+/// all channels are, biased when one is; a draw that the reference rules out is `biased` too, named
+/// in the note. Undecided when the cap on draws comes first, which on right code is as rare as a
+/// false alarm. Guarantee: exact. The finding shows the channel of the largest bias, of a one-sided
+/// claim the way that it excludes. Throws std::invalid_argument for no references, or one that
+/// cannot be tested.
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block);
 
 /// The same, channel by channel. Where a draw is out of its range, which ends the test, all have the finding that says so.

@@ -21,10 +21,12 @@ struct BoundedEstimator {
 Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator,
                       Sides sides = Sides::both);
 
-/// Var A <= ratio Var B. Biased when it is larger; certified when Var A < (1 + margin) ratio Var B. With ratio < 1
-/// this shows by how much A is better. A discarded pilot sets the scale of the margin, ratio Var B; the level does
-/// not rest on it (what is certified is a difference below margin times that scale). Bias and interval are of Var A / (ratio Var B) - 1. Throws std::invalid_argument for a ratio
-/// that is not positive, or when the pilot shows no variance in B.
+/// Var A <= ratio Var B. Biased when it is larger; certified when Var A < (1 + margin) ratio Var B.
+/// With ratio < 1 this shows by how much A is better. A discarded pilot sets the scale of the
+/// margin, ratio Var B; the level does not rest on it (what is certified is a difference below
+/// margin times that scale). Bias and interval are of Var A / (ratio Var B) - 1, the interval open
+/// below where it reaches 0. Throws std::invalid_argument for a ratio that is not positive, or when
+/// the pilot shows no variance in B.
 Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstimator& a, const BoundedEstimator& b);
 
 /// Two streams whose means are known are uncorrelated: E[(A - mean_a)(B - mean_b)] = 0, to within margin times

@@ -19,13 +19,15 @@ enum class Guarantee {
   asymptotic,     ///< holds in the limit of many draws, under the conditions that the test states
 };
 
-/// A closed interval [lo, hi].
+/// A closed interval [lo, hi], whose ends may be infinite.
 struct Interval {
   double lo;
   double hi;
 };
 
-/// What one check found. Bias and interval are relative to the reference (dimensionless).
+/// What one check found. Bias and interval are relative to the reference (dimensionless). An end of
+/// the interval is infinite where nothing is known yet, and on the side of a one-sided claim ("at
+/// most", "at least") that it allows, unless the interval has none of that side.
 struct Finding {
   Verdict verdict = Verdict::undecided;
   Guarantee guarantee = Guarantee::deterministic;

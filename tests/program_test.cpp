@@ -21,10 +21,11 @@ const std::string small = "render cornell-simple --width 20 --height 10 --seed 9
 
 TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("", "render");
-  expect_bad_input("rendr", "render");
+  expect_bad_input("rendr", "did you mean render?");
   expect_bad_input("audit", "calibration");
-  expect_bad_input("audit nope", "calibration");
-  expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounc uniform", "--bounce");
+  expect_bad_input("audit nope", "see fairlight audit --help");
+  expect_bad_input("audit calibratoin", "did you mean calibration?");
+  expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounc uniform", "did you mean --bounce?");
   expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounce uniform", "--max-depth");
   expect_bad_input("render cornell-simple --spp 1 -o a.exr --seed ''", "seed");
   expect_bad_input("render cornell-simple --spp 1 -o ''", "-o");
@@ -33,6 +34,7 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input(small + "--spp 1 -o ./a.exr --json a.exr", "same file");
   expect_bad_input("verify --list > /dev/full", "standard output");
   expect_bad_input("render cornel --spp 1 -o a.exr", "cornell-simple");
+  expect_bad_input("render halway --spp 1 -o a.exr", "did you mean hallway? see fairlight scenes");
   expect_bad_input("render cornell-simple --spp 1", "-o");
   expect_bad_input("render cornell-simple --spp 1 -o a.exr --bounce sideways", "uniform");
   expect_bad_input("render cornell-simple --spp 1 -o a.exr --colour", "--colour");
@@ -61,7 +63,8 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input(small + "--spp 1 -o a.exr --png missing/a.png", "missing/a.png");
   expect_bad_input(small + "--spp 1 -o a.exr --resume none.exr", "none.exr");
   expect_bad_input("merge none.exr -o a.exr", "none.exr");
-  expect_bad_input("verify hemisphere.cosine.lw", "hemisphere.cosine.law");
+  expect_bad_input("verify hemisphere.cosine.lw", "did you mean hemisphere.cosine.law");
+  expect_bad_input("verify zzz", "see fairlight verify --list");
   expect_bad_input("verify pick --seed 12q", "12q");
   expect_bad_input("verify pick --seed 0123456789abcdef-0123456", "no token");
   expect_bad_input("verify pick --seed 0123456789abcdef-00000000", "other sources");
@@ -97,8 +100,28 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("audit judges --verdict", "--verdict");
   expect_bad_input("audit mutate --sample 0", "sample");
   expect_bad_input("audit mutate estimators/nope.h", "estimators/nope.h");
+  expect_bad_input("audit mutate estimators/cane.h", "estimators/cone.h");
   expect_bad_input("audit mutate --seed mutant", "mutant");
   expect_bad_input("audit mutate --results .", "cannot write");
+}
+
+TEST(Program, RefusesOptionsThatAreNoNumbers) {
+  for (const std::string value : {"nan", "-nan", "inf", "-inf", "1e999", "one", "''"}) {
+    for (const std::string option : {"--aperture", "--focus", "--fov"})
+      expect_bad_input(small + "--spp 1 -o a.exr " + option + " " + value, option);
+    for (const std::string option : {"--margin", "--budget", "--seconds"})
+      expect_bad_input("verify pick --json a.json " + option + " " + value, option);
+    expect_bad_input("audit judges --json a.json --margin " + value, "--margin");
+  }
+}
+
+TEST(Program, RefusesAClaimInAShortSentence) {
+  const TemporaryFolder folder;
+  for (const char* claim : {"hemisphere.cosine.lw", "e", "'*.nothing'", "zzz"}) {
+    const Result run = fairlight("verify " + std::string(claim), folder);
+    EXPECT_EQ(run.status, 2) << claim;
+    EXPECT_LT(run.error.size(), 500u) << run.error;
+  }
 }
 
 TEST(Program, GoesOnWithNoForeignResultsOfMutants) {
@@ -114,11 +137,13 @@ TEST(Program, GoesOnWithNoForeignResultsOfMutants) {
 
 TEST(Program, GivesHelpForEveryCommand) {
   const TemporaryFolder folder;
-  for (const char* command : {"", "verify", "audit", "audit faults", "audit judges", "audit ledger", "audit mutate",
-                              "ledger", "ledger show", "ledger merge", "render", "merge", "scenes"}) {
+  for (const char* command :
+       {"", "verify", "audit", "audit calibration", "audit faults", "audit judges", "audit ledger", "audit mutate",
+        "audit power", "ledger", "ledger show", "ledger merge", "render", "merge", "scenes"}) {
     const Result run = fairlight(std::string(command) + " --help", folder);
     EXPECT_EQ(run.status, 0) << command;
-    EXPECT_GT(run.out.size(), 40u) << command;
+    EXPECT_NE(run.out.find("\n\nUsage: fairlight"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("\n\nExample"), std::string::npos) << run.out;
   }
 }
 

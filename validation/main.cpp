@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <fairlight/render/render_command.h>
 #include <fairlight/validation/commands.h>
 #include <fairlight/version.h>
 
@@ -12,41 +11,19 @@ namespace {
 
 constexpr int bad_input = 2;
 
-// The command that was being read when reading stopped.
-const CLI::App& innermost(const CLI::App& app) {
-  const auto parsed = app.get_subcommands();
-  return parsed.empty() ? app : innermost(*parsed.front());
-}
-
-// "(COMMAND has: sub --this --that)", for a sentence about a word that is none of them.
-std::string choices(const CLI::App& app) {
-  std::string names;
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-    names += " " + sub->get_name();
-  for (const CLI::Option* option : app.get_options()) {
-    if (!option->get_lnames().empty()) names += " --" + option->get_lnames().front();
-  }
-  return "(" + app.get_name() + " has:" + names + ")";
-}
-
 int run(int argc, char** argv) {
-  CLI::App program("Monte Carlo light transport, statistically verified");
-  program.name("fairlight");
-  program.set_version_flag("--version", fairlight::version);
+  CLI::App program;
+  program.set_version_flag("--version", fairlight::version, "Print the version.")->group("Help");
   fairlight::Command command;
-  fairlight::add_verify_command(program, command);
-  fairlight::add_ledger_command(program, command);
-  fairlight::add_audit_command(program, command);
-  fairlight::add_render_commands(program, command);
+  fairlight::add_commands(program, command);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return program.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "fairlight: %s %s\n", error.what(), choices(innermost(program)).c_str());
-    return bad_input;
+    throw std::invalid_argument(fairlight::usage_problem(program, error));
   }
-  if (!command) throw std::invalid_argument("no command was given " + choices(innermost(program)));
+  if (!command) throw std::invalid_argument(fairlight::no_command(program));
   const int status = command();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output cannot be written");

@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <fairlight/render/instruction_sets.h>
+#include <fairlight/render/nearest_names.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/registry.h>
 
@@ -46,6 +47,17 @@ bool matches(const std::string& pattern, const std::string& name) {
   return fnmatch(pattern.c_str(), name.c_str(), 0) == 0 || name.starts_with(pattern + ".");
 }
 
+// What names claims without a wildcard: whole names, and their first dotted parts.
+std::vector<std::string> patterns_of(const std::vector<Claim>& claims) {
+  std::vector<std::string> patterns;
+  for (const Claim& claim : claims) {
+    for (std::size_t dot = claim.name.find('.'); dot != std::string::npos; dot = claim.name.find('.', dot + 1))
+      patterns.push_back(claim.name.substr(0, dot));
+    patterns.push_back(claim.name);
+  }
+  return patterns;
+}
+
 }  // namespace
 
 std::vector<std::string> claimed_instructions() {
@@ -75,9 +87,8 @@ std::vector<const Claim*> select_claims(const std::vector<std::string>& patterns
       chosen[i] = found = true;
     }
     if (found) continue;
-    std::string known;
-    for (const Claim& claim : all) known += " " + claim.name;
-    throw std::invalid_argument("no claim matches \"" + pattern + "\" (there are:" + known + ")");
+    throw std::invalid_argument("no claim matches \"" + pattern + "\" " +
+                                did_you_mean(pattern, patterns_of(all), "fairlight verify --list"));
   }
   std::vector<const Claim*> claims;
   for (std::size_t i = 0; i < chosen.size(); ++i) {

@@ -17,7 +17,7 @@ std::vector<std::string> claimed_instructions();
 const std::vector<Claim>& registry(const std::string& instructions = "");
 
 /// The claims that the patterns name: a whole name, its first dotted parts, or a shell pattern; all for no pattern.
-/// Throws std::invalid_argument, naming what exists, for a pattern that matches nothing; and as registry does.
+/// Throws std::invalid_argument, naming the nearest, for a pattern that matches nothing; and as registry does.
 std::vector<const Claim*> select_claims(const std::vector<std::string>& patterns,
                                         const std::string& instructions = "");
 

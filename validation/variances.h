@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -52,7 +53,8 @@ Contender replicates_of(const std::string& name, const Draw& draw, double lower,
           lower, upper};
 }
 
-/// Var a <= ratio Var b: by the core test, on squared differences of draws. The note gives the ratio and its interval.
+/// Var a <= ratio Var b: by the core test, on squared differences of draws. The note gives the
+/// ratio and its interval, which is open below where the claim holds.
 inline Finding check_variances(const Trial& trial, double ratio, const Contender& a, const Contender& b) {
   const auto indexed = [&](const Contender& contender, const std::string& purpose) {
     const StreamKey key(trial.seed, trial.claim + purpose);
@@ -61,8 +63,9 @@ inline Finding check_variances(const Trial& trial, double ratio, const Contender
   };
   Finding finding = test_variance_ratio(trial, ratio, indexed(a, " a"), indexed(b, " b"));
   if (!finding.note.empty()) return finding;
-  finding.note = formatted("variance ratio %.4g, in [%.4g, %.4g]", ratio * (1 + finding.bias),
-                           ratio * (1 + finding.interval.lo), ratio * (1 + finding.interval.hi));
+  const double least = ratio * (1 + finding.interval.lo), most = ratio * (1 + finding.interval.hi);
+  finding.note = formatted("variance ratio %.4g, ", ratio * (1 + finding.bias)) +
+                 (std::isinf(least) ? formatted("at most %.4g", most) : formatted("in [%.4g, %.4g]", least, most));
   return finding;
 }
 

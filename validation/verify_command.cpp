@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include <fairlight/render/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -55,16 +56,12 @@ void print_depth(const std::vector<Outcome>& outcomes, const Conformance& confor
               conformance.terms.margin / 10, std::ceil(100 * seconds / 60));
 }
 
-// The names of those that failed, a few of them.
 std::string names_of_failures(const std::vector<Outcome>& outcomes, const Conformance& conformance) {
-  constexpr int most = 5;
-  std::string names;
-  int failures = 0;
+  std::vector<std::string> names;
   for (const Outcome& outcome : worst_first(outcomes)) {
-    if (!failed(outcome) || ++failures > most) continue;
-    names += (names.empty() ? "" : ", ") + label(outcome, conformance);
+    if (failed(outcome)) names.push_back(label(outcome, conformance));
   }
-  return failures > most ? names + ", ..." : names;
+  return list_of(names, 5);
 }
 
 void print_verdict(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
@@ -178,48 +175,71 @@ int verify(const VerifyOptions& options) {
   return exit_status(overall(outcomes));
 }
 
-// An empty value is what an unset shell variable makes; it is not the same as no option.
-std::string not_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
+void add_selection(CLI::App& app, VerifyOptions& options) {
+  begin_group(app, "What to certify");
+  app.add_option("claims", options.claims,
+                 "Certify these claims: names such as hemisphere.cosine.law, the first parts of names such as "
+                 "hemisphere, or patterns such as '*.law'. All claims if none is given.")
+      ->type_name("CLAIM");
+  app.add_flag("--list", options.list, "List the claims with what they say, and run nothing.");
+  add_text(app, "--since", options.since, "REV",
+           "Certify only claims whose sources differ from this git revision, for example HEAD.");
+  app.add_option("--instructions", options.instructions,
+                 "Certify the packets of this instruction set, for example sse2, or of all that this machine has. "
+                 "The widest if not given, which render uses.")
+      ->type_name("SET|all");
+}
+
+void add_terms(CLI::App& app, VerifyOptions& options) {
+  Manifest::Terms& terms = options.conformance.terms;
+  begin_group(app, "How strictly");
+  add_number(app, "--margin", terms.margin, {.low = 0, .high = 1},
+             "Exclude biases of this part of the reference and more, for example 1e-4. The number of draws goes "
+             "with its inverse square.")
+      ->capture_default_str();
+  add_number(app, "--budget", terms.budget, {.low = 0, .high = 1},
+             "Let a run of all claims raise a false alarm with this probability.")
+      ->capture_default_str();
+  add_text(app, "--seed", options.seed, "TOKEN",
+           "Replay a run: give the token that it printed, or a seed of 1 to 16 hexadecimal digits. Fresh if not "
+           "given.");
+}
+
+void add_outputs(CLI::App& app, VerifyOptions& options) {
+  begin_group(app, "What to write");
+  app.add_flag("--all", options.all,
+               "Print a row for every claim. Without it, when more than 40 hold, they share a row for each first "
+               "name.");
+  add_text(app, "--json", options.json, "F.json", "Write the outcomes to this JSON file.");
+  add_text(app, "--artifacts", options.artifacts, "DIR",
+           "Write what was seen of each claim that failed, or is named in full, to this folder: pictures and "
+           "tables.");
+  add_text(app, "--report", options.report, "F.md",
+           "Write a page with pictures to this file; the pictures go to the folder of --artifacts, or "
+           "F_artifacts.");
+  add_text(app, "--ledger", options.ledger, "F",
+           "Add what this run shows to this file, and certify the finer margins that all its runs show together.");
+}
+
+void add_running(CLI::App& app, VerifyOptions& options) {
+  begin_group(app, "Running");
+  add_number(app, "--seconds", options.conformance.seconds, {.low = 0},
+             "Stop after this many seconds: first what looks wrong runs, then what is soon done; the rest is "
+             "undecided. No limit if not given.");
+  add_threads(app, options.conformance.threads);
+}
 
 }  // namespace
 
 void add_verify_command(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("verify", "Certify the estimators: each claim certified, biased or undecided");
+  auto* app = program.add_subcommand("verify", "Certify estimators: each claim is certified, biased or undecided.");
   auto options = std::make_shared<VerifyOptions>();
-  auto& terms = options->conformance.terms;
-  app->add_option("claims", options->claims,
-                  "Which claims: names, their first parts, or patterns; all if none given")
-      ->type_name("CLAIM");
-  app->add_flag("--list", options->list, "List the claims, and run nothing");
-  app->add_flag("--all", options->all, "A row for every claim, where else those that hold are grouped");
-  app->add_option("--margin", terms.margin, "The relative bias to exclude")->capture_default_str();
-  app->add_option("--budget", terms.budget, "The probability of a false alarm in a whole run")
-      ->capture_default_str();
-  app->add_option("--seed", options->seed,
-                  "Replays a run: the token that it printed, or a seed of 1 to 16 hexadecimal digits");
-  app->add_option(
-         "--instructions", options->instructions,
-         "Certify the packets of this instruction set, or of all that this machine has; default: the widest, "
-         "which render uses")
-      ->type_name("SET");
-  app->add_option("--seconds", options->conformance.seconds,
-                  "The time to take: first what looks wrong, then what is soon done; the rest is undecided");
-  app->add_option("--json", options->json, "The outcomes, as JSON")->type_name("F.json");
-  app->add_option("--artifacts", options->artifacts,
-                  "A folder for what was seen of each claim that failed, or is named in full: pictures and tables")
-      ->type_name("DIR");
-  app->add_option("--report", options->report,
-                  "The outcomes, as a page with pictures, which --artifacts or F_artifacts holds")
-      ->type_name("F.md");
-  app->add_option("--ledger", options->ledger, "A file in which the evidence of runs adds up, to finer margins")
-      ->check(not_empty, "")
-      ->type_name("F");
-  app->add_option("--since", options->since, "Only claims whose sources differ from this git revision")
-      ->check(not_empty, "")
-      ->type_name("REV");
-  app->add_option("--threads", options->conformance.threads, "Threads")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_selection(*app, *options);
+  add_terms(*app, *options);
+  add_outputs(*app, *options);
+  add_running(*app, *options);
+  add_examples(*app, {"fairlight verify hemisphere --margin 1e-4", "fairlight verify --since HEAD --seconds 60",
+                      "fairlight verify --report verify.md --ledger evidence.txt"});
   app->callback([options, &command] { command = [options] { return verify(*options); }; });
 }
 

@@ -153,6 +153,8 @@ TEST(Camera, RefusesWhatHasNoPicture) {
   refused({.focus_distance = std::nan("")});
   refused({.blades = -1});
   refused({.blades = 2});
+  refused({.blades = 5, .blade_rotation = std::nan("")});
+  refused({.blades = 5, .blade_rotation = infinity<double>});
   EXPECT_THROW(image_height_of(0), std::invalid_argument);
   EXPECT_THROW(image_height_of(180), std::invalid_argument);
   EXPECT_THROW(image_height_of(std::nan("")), std::invalid_argument);

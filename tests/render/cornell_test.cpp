@@ -120,12 +120,13 @@ TEST(BuiltInScene, ExistsForEveryName) {
   for (const std::string& name : scene_names()) EXPECT_EQ(built_in_scene(name).name, name);
 }
 
-TEST(BuiltInScene, NamesTheScenesThatExistWhenOneDoesNot) {
+TEST(BuiltInScene, NamesTheNearestWhereThereIsNone) {
   try {
-    built_in_scene("cornel");
+    built_in_scene("halway");
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("cornell-simple"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("mean hallway? see fairlight scenes"), std::string::npos)
+        << error.what();
   }
 }
 

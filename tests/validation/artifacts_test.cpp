@@ -57,6 +57,19 @@ TEST(Artifacts, OfTilesAreAMapOfTheirBiases) {
       read_file(folder / "cornell-original.paired.mis.quarters.packet/tiles.exr").starts_with("\x76\x2f\x31\x01"));
 }
 
+// Beyond two margins a line ends at the end of the chart, however far it goes.
+TEST(Intervals, AreDrawnToTheEndOfTheChartWhereTheyAreOpen) {
+  const TemporaryFolder folder;
+  const auto picture_of = [&](const std::string& name, Interval interval) {
+    Outcome outcome{&registry()[0], {Verdict::certified, Guarantee::exact, 0.02, 0, interval}, 1};
+    return read_file(write_intervals(folder / name, {outcome}));
+  };
+  EXPECT_EQ(picture_of("a", {-infinity<double>, 0.01}), picture_of("b", {-0.05, 0.01}));
+  EXPECT_EQ(picture_of("c", {-0.01, infinity<double>}), picture_of("d", {-0.01, 0.05}));
+  EXPECT_EQ(picture_of("e", {-infinity<double>, infinity<double>}), picture_of("f", {-0.05, 0.05}));
+  EXPECT_NE(picture_of("g", {-0.01, 0.01}), picture_of("b", {-0.05, 0.01}));
+}
+
 TEST(Artifacts, AreRefusedAFolderThatCannotHoldThem) {
   const TemporaryFolder folder;
   write_file(folder / "file", "");
@@ -88,10 +101,27 @@ TEST(Markdown, ShowsAFailureWithItsPictureByARelativeLink) {
         "| importance.cosine.cosine_squared | certified |", "`0000000000000003`"}) {
     EXPECT_NE(page.find(text), std::string::npos) << text << "\n" << page;
   }
+  EXPECT_NE(page.find("is between "), std::string::npos) << page;
   EXPECT_EQ(page.find("## importance.cosine"), std::string::npos);
   const std::string plain = markdown({outcomes, seen, 2, "again", "", {}}, folder / "report.md");
   EXPECT_NE(plain.find("## pick.one.dice: biased"), std::string::npos) << "a failure is shown without pictures too";
   EXPECT_EQ(plain.find("]("), std::string::npos) << plain;
+}
+
+TEST(Markdown, SaysOnWhichSideAnIntervalIsOpen) {
+  const auto page_of = [](Interval interval) {
+    const std::vector<Outcome> outcomes{
+        {&registry()[0], {Verdict::biased, Guarantee::exact, 0.02, 0, interval}, 1}};
+    return markdown({outcomes, seen, 2, "again", "", {}}, "report.md");
+  };
+  const auto holds = [](const std::string& page, const std::string& part) {
+    EXPECT_NE(page.find(part), std::string::npos) << page;
+  };
+  holds(page_of({-infinity<double>, 0.01}), "is at most +1.00e-02, the margin");
+  holds(page_of({-infinity<double>, 0.01}), "| open | +1.00e-02 |");
+  holds(page_of({-0.01, infinity<double>}), "is at least -1.00e-02, the margin");
+  holds(page_of({-0.01, 0.02}), "is between -1.00e-02 and +2.00e-02, the margin");
+  holds(page_of({-infinity<double>, infinity<double>}), "is not known yet, the margin");
 }
 
 }  // namespace

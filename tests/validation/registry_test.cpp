@@ -55,12 +55,20 @@ TEST(SelectClaims, TakesNamesFirstPartsAndPatterns) {
             count([](const Claim& claim) { return claim.name.ends_with(".law"); }));
 }
 
-TEST(SelectClaims, NamesTheClaimsThatExistWhenNoneMatches) {
-  try {
-    select_claims({"hemisphere.cosine.lw"});
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("hemisphere.cosine.law"), std::string::npos) << error.what();
+TEST(SelectClaims, NameTheNearestFewWhereNoneMatches) {
+  const auto refusal = [](const std::string& pattern) -> std::string {
+    try {
+      select_claims({pattern});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "it is none";
+  };
+  EXPECT_NE(refusal("hemisphere.cosine.lw").find("mean hemisphere.cosine.law"), std::string::npos);
+  EXPECT_NE(refusal("hemisphre").find("mean hemisphere, "), std::string::npos) << refusal("hemisphre");
+  for (const char* pattern : {"hemisphere.cosine.lw", "h", "zzz.*.zzz", "e"}) {
+    EXPECT_NE(refusal(pattern).find("fairlight verify --list"), std::string::npos) << pattern;
+    EXPECT_LT(refusal(pattern).size(), 500u) << refusal(pattern);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -99,13 +100,93 @@ TEST(Table, GroupsWhatHadNoTime) {
   }
   const std::string text = printed(outcomes, Rows::grouped);
   EXPECT_LT(lines(text), 100) << text;
-  EXPECT_NE(text.find("claims: the time was up"), std::string::npos) << text;
+  EXPECT_EQ(text.find(": the time was up"), text.rfind(": the time was up")) << "once for all\n" << text;
 }
 
-TEST(Report, HasNullForAnEndThatIsNotKnown) {
+// The places of claims that share their first name with five others or more.
+std::vector<std::size_t> a_large_group(const std::vector<Outcome>& outcomes) {
+  std::map<std::string, std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].finding.verdict != Verdict::certified) continue;
+    const std::string& claim = outcomes[i].claim->name;
+    auto& group = groups[claim.substr(0, claim.find('.'))];
+    group.push_back(i);
+    if (group.size() == 6) return group;
+  }
+  return {};
+}
+
+TEST(Table, NamesTheClaimsOfItsNotes) {
+  auto outcomes = a_whole_run();
+  const std::vector<std::size_t> group = a_large_group(outcomes);
+  ASSERT_EQ(group.size(), 6u);
+  for (std::size_t i = 0; i < 5; ++i) outcomes[group[i]].finding.note = "seen of five";
+  outcomes[group[5]].finding.note = "seen of one";
+  const std::string text = printed(outcomes, Rows::grouped);
+  const auto name = [&](std::size_t i) { return outcomes[group[i]].claim->name; };
+  EXPECT_NE(text.find("\n" + name(0) + ", " + name(1) + ", " + name(2) + " and 2 more: seen of five\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\n" + name(5) + ": seen of one\n"), std::string::npos) << text;
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Of two claims without a group.
+TEST(Table, ShowsAnEndThatIsOpen) {
+  auto outcomes = a_whole_run();
+  outcomes.resize(2);
+  outcomes[0].finding.interval.lo = -infinite;
+  outcomes[1].finding.interval.hi = infinite;
+  const std::string text = printed(outcomes, Rows::grouped);
+  EXPECT_NE(text.find("       open  +9.00e-04"), std::string::npos) << text;
+  EXPECT_NE(text.find("  -5.00e-04       open"), std::string::npos) << text;
+  EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+}
+
+// The row of the first name, of which all claims have this interval but the first, which has
+// another.
+std::string row_of_group(Verdict verdict, Interval first, Interval others) {
+  auto outcomes = a_whole_run();
+  const std::string& claim = outcomes[0].claim->name;
+  const std::string name = claim.substr(0, claim.find('.'));
+  for (Outcome& o : outcomes) {
+    o.finding.verdict = verdict;
+    o.out_of_time = verdict == Verdict::undecided;
+    o.finding.interval = others;
+  }
+  outcomes[0].finding.interval = first;
+  const std::string text = printed(outcomes, Rows::grouped);
+  const std::size_t at = text.find(name + " (");
+  EXPECT_NE(at, std::string::npos) << text;
+  return text.substr(at, text.find('\n', at) - at);
+}
+
+TEST(Table, ShowsOfAGroupTheEndsThatClaimsExclude) {
+  const auto holds = [](const std::string& row, const std::string& part) {
+    EXPECT_NE(row.find(part), std::string::npos) << row;
+  };
+  holds(row_of_group(Verdict::certified, {-infinite, 0.02}, {-5e-4, 9e-4}), "-5.00e-04  +2.00e-02");
+  holds(row_of_group(Verdict::certified, {-0.02, infinite}, {-5e-4, 9e-4}), "-2.00e-02  +9.00e-04");
+  holds(row_of_group(Verdict::certified, {-infinite, 0.02}, {-infinite, 9e-4}), "     open  +2.00e-02");
+  // Of an undecided claim, an open end is not known.
+  holds(row_of_group(Verdict::undecided, {-infinite, infinite}, {-5e-4, 9e-4}), "     open       open");
+}
+
+TEST(ListOf, NamesTheFirstAndCountsTheOthers) {
+  EXPECT_EQ(list_of({}, 3), "");
+  EXPECT_EQ(list_of({"a"}, 3), "a");
+  EXPECT_EQ(list_of({"a", "b"}, 3), "a and b");
+  EXPECT_EQ(list_of({"a", "b", "c"}, 3), "a, b and c");
+  EXPECT_EQ(list_of({"a", "b", "c", "d"}, 3), "a, b, c and 1 more");
+}
+
+TEST(Report, HasNullForAnEndThatIsOpen) {
   Outcome open = outcome(Verdict::undecided);
-  open.finding.interval = {-1e-3, std::numeric_limits<double>::infinity()};
+  open.finding.interval = {-1e-3, infinite};
   EXPECT_EQ(nlohmann::json::parse(outcome_json(open, conformance).dump())["interval"].dump(), "[-0.001,null]");
+  open.finding.interval = {-infinite, 1e-3};
+  EXPECT_EQ(nlohmann::json::parse(outcome_json(open, conformance).dump())["interval"].dump(), "[null,0.001]");
 }
 
 TEST(Report, HasTheFieldsOfTheContractAsJson) {

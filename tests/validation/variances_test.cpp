@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <fairlight/validation/variances.h>
@@ -30,11 +32,19 @@ TEST(CheckVariances, CertifiesTheRatioAndFindsALargerOne) {
   EXPECT_EQ(check_variances(trial, 1, coin(), coin()).verdict, Verdict::certified);
 }
 
-TEST(CheckVariances, SaysTheRatioAndItsInterval) {
+TEST(CheckVariances, SaysTheRatioAndTheMostThatItIs) {
   const Finding finding = check_variances(trial, 0.5, coin(2), coin());
   EXPECT_TRUE(finding.note.starts_with("variance ratio 0.")) << finding.note;
-  EXPECT_LT(0.5 * (1 + finding.interval.lo), 0.5);
+  EXPECT_NE(finding.note.find(", at most 0."), std::string::npos) << finding.note;
+  EXPECT_EQ(finding.interval.lo, -std::numeric_limits<double>::infinity());
   EXPECT_GT(0.5 * (1 + finding.interval.hi), 0.5);
+}
+
+TEST(CheckVariances, SaysBetweenWhatTheRatioIsWhereItIsTooLarge) {
+  const Finding finding = check_variances(trial, 0.2, coin(4), coin());
+  ASSERT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_GT(finding.interval.lo, 0);
+  EXPECT_NE(finding.note.find(", in [0.2"), std::string::npos) << finding.note;
 }
 
 TEST(CheckVariances, NamesADrawOutOfItsRange) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 
+#include <fairlight/render/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -78,22 +79,25 @@ int faults(const AuditOptions& options) {
 }  // namespace
 
 void add_audit_command(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("audit", "Test the tests");
+  auto* app = program.add_subcommand("audit", "Test the tests: wrong estimators must fail, right ones must not.");
   auto options = std::make_shared<AuditOptions>();
   auto* sub = app->add_subcommand(
-      "faults", "Run wrong estimators through the claims: each must be found biased with every seed");
-  sub->add_option("--seeds", options->seeds, "How many seeds for each: 300 take some eleven minutes on two cores")
-      ->check(CLI::Range(1, 100000))
+      "faults", "Run wrong estimators through the claims: each must be found biased with every seed.");
+  begin_group(*sub, "Runs");
+  add_count(*sub, "--seeds", options->seeds, 1, 100000,
+            "Run each fault with this many seeds; 300 take some eleven minutes on two cores.")
       ->capture_default_str();
-  sub->add_option("--seed", options->seed, "The first seed; fresh if not given");
-  sub->add_option("--json", options->json, "The matrix, as JSON")->type_name("F.json");
-  sub->add_option("--threads", options->conformance.threads, "Threads")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_text(*sub, "--seed", options->seed, "HEX",
+           "Start at this seed, 1 to 16 hexadecimal digits. Fresh if not given.");
+  begin_group(*sub, "Files");
+  add_text(*sub, "--json", options->json, "F.json", "Write the table of faults and claims to this JSON file.");
+  add_threads(*sub, options->conformance.threads);
+  add_examples(*sub, {"fairlight audit faults --seeds 10 --json faults.json"});
   sub->callback([options, &command] { command = [options] { return faults(*options); }; });
   add_tester_commands(*app, command);
   add_mutate_command(*app, command);
   add_judges_command(*app, command);
+  add_examples(*app, {"fairlight audit faults --seeds 10", "fairlight audit calibration --short"});
 }
 
 }  // namespace fairlight

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 
+#include <fairlight/render/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -73,18 +74,22 @@ int run(const JudgesOptions& options) {
 
 void add_judges_command(CLI::App& audit, Command& command) {
   auto* sub = audit.add_subcommand(
-      "judges", "The same faults and draws before the tests of other projects: false alarms, and what they miss");
+      "judges", "Judge the same draws by the tests of other projects: count false alarms and missed faults.");
   auto options = std::make_shared<JudgesOptions>();
   Conformance& conformance = options->conformance;
-  sub->add_option("--seeds", options->seeds, "How many seeds for each: two minutes a seed on one core")
-      ->check(CLI::Range(1, 100000))
+  begin_group(*sub, "Runs");
+  add_count(*sub, "--seeds", options->seeds, 1, 100000,
+            "Run each claim and fault with this many seeds; each takes two minutes on one core.")
       ->capture_default_str();
-  sub->add_option("--margin", conformance.terms.margin,
-                  "The relative bias that fairlight excludes, which sets the size")
+  add_number(*sub, "--margin", conformance.terms.margin, {.low = 0, .high = 1},
+             "Plan the size of the tests so that fairlight excludes biases of this part of the reference.")
       ->capture_default_str();
-  sub->add_option("--seed", options->seed, "The first seed; fresh if not given");
-  sub->add_option("--json", options->json, "The table, as JSON")->type_name("F.json");
-  sub->add_option("--threads", conformance.threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  add_text(*sub, "--seed", options->seed, "HEX",
+           "Start at this seed, 1 to 16 hexadecimal digits. Fresh if not given.");
+  begin_group(*sub, "Files");
+  add_text(*sub, "--json", options->json, "F.json", "Write the table of judges to this JSON file.");
+  add_threads(*sub, conformance.threads);
+  add_examples(*sub, {"fairlight audit judges --seeds 2 --margin 0.01 --json judges.json"});
   sub->callback([options, &command] { command = [options] { return run(*options); }; });
 }
 

@@ -11,6 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fairlight/render/nearest_names.h>
+#include <fairlight/render/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -50,8 +52,8 @@ std::vector<Mutant> all_mutants(const std::string& root, const std::vector<std::
   const std::vector<std::string> files = mutable_sources(root);
   for (const std::string& file : only) {
     if (std::ranges::find(files, file) == files.end())
-      throw std::invalid_argument("\"" + file +
-                                  "\" is not mutated (headers of estimators/ and of the path tracer are)");
+      throw std::invalid_argument("\"" + file + "\" is not mutated " +
+                                  did_you_mean(file, files, "fairlight audit mutate --help"));
   }
   std::vector<Mutant> mutants;
   for (const std::string& file : only.empty() ? files : only) {
@@ -168,26 +170,28 @@ int mutate(const MutateOptions& options) {
 
 void add_mutate_command(CLI::App& audit, Command& command) {
   auto* app = audit.add_subcommand(
-      "mutate", "Change one operator, constant, cosine or sign of the sources at a time: the claims must notice");
+      "mutate", "Change one operator, constant, cosine or sign of the sources at a time: the claims must notice.");
   auto options = std::make_shared<MutateOptions>();
+  begin_group(*app, "Mutants");
   app->add_option("sources", options->sources,
-                  "Which headers: all of estimators/ and the path tracer if none given")
+                  "Change these headers, for example estimators/cone.h. All of estimators/ and the path tracer if "
+                  "none is given.")
       ->type_name("FILE");
-  app->add_option("--sample", options->sample, "How many mutants, each as likely as any; half a minute each")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
+  add_count(*app, "--sample", options->sample, std::size_t{1}, std::size_t{100000},
+            "Take this many mutants at random; each takes half a minute.")
       ->capture_default_str();
-  app->add_option("--seed", options->seed,
-                  "Which mutants: the 16 hexadecimal digits that a run printed at its start");
-  app->add_option("--files", options->files, "How many files of claims, the most concerned first, are run at most")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100}))
+  add_text(*app, "--seed", options->seed, "HEX",
+           "Take the same mutants as a run that printed this seed, 16 hexadecimal digits. Fresh if not given.");
+  add_count(*app, "--files", options->files, std::size_t{1}, std::size_t{100},
+            "Run the claims of at most this many files for a mutant, those most concerned first.")
       ->capture_default_str();
-  app->add_option("--results", options->results,
-                  "A file that keeps what became of each: with the same seed a run that was ended goes on")
-      ->type_name("F.jsonl");
-  app->add_option("--report", options->report, "The mutants that survived, as a page")->type_name("F.md");
-  app->add_option("--threads", options->threads, "Mutants at once")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  begin_group(*app, "Files");
+  add_text(*app, "--results", options->results, "F.jsonl",
+           "Keep what becomes of each mutant in this file; a run that was stopped goes on, given the same seed.");
+  add_text(*app, "--report", options->report, "F.md", "Write a page of the mutants that survived to this file.");
+  add_threads(*app, options->threads, "Work on this many mutants at once.");
+  add_examples(*app, {"fairlight audit mutate estimators/cone.h --sample 20",
+                      "fairlight audit mutate --seed 0123456789abcdef --results mutants.jsonl"});
   app->callback([options, &command] { command = [options] { return mutate(*options); }; });
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fairlight/render/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/progress.h>
 #include <fairlight/render/whole_file.h>
@@ -141,14 +142,18 @@ int ledger(const TesterOptions& options) {
   return conclude(options, audit, json, passed);
 }
 
-void add_tester_command(CLI::App& audit, Command& command, const char* name, const char* help,
+void add_tester_command(CLI::App& audit, Command& command, const std::string& name, const std::string& help,
                         int (*run)(const TesterOptions&)) {
   auto* sub = audit.add_subcommand(name, help);
   auto options = std::make_shared<TesterOptions>();
-  sub->add_flag("--short", options->brief, "A tenth of the runs");
-  sub->add_option("--seed", options->seed, "The first seed; fresh if not given");
-  sub->add_option("--json", options->json, "The table, as JSON")->type_name("F.json");
-  sub->add_option("--threads", options->threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  begin_group(*sub, "Runs");
+  sub->add_flag("--short", options->brief, "Make a tenth of the runs.");
+  add_text(*sub, "--seed", options->seed, "HEX",
+           "Start at this seed, 1 to 16 hexadecimal digits. Fresh if not given.");
+  begin_group(*sub, "Files");
+  add_text(*sub, "--json", options->json, "F.json", "Write the table to this JSON file.");
+  add_threads(*sub, options->threads);
+  add_examples(*sub, {"fairlight audit " + name + " --short --json " + name + ".json"});
   sub->callback([options, &command, run] { command = [options, run] { return run(*options); }; });
 }
 
@@ -156,11 +161,11 @@ void add_tester_command(CLI::App& audit, Command& command, const char* name, con
 
 void add_tester_commands(CLI::App& audit, Command& command) {
   add_tester_command(audit, command, "calibration",
-                     "Right code: how often do the tests fail, and what do they cost?", calibration);
-  add_tester_command(audit, command, "power", "Wrong code, off by the margin: how often do the tests miss it?",
-                     power);
+                     "Run the tests on right code: count how often they fail, and what they cost.", calibration);
+  add_tester_command(audit, command, "power",
+                     "Run the tests on code that is off by the margin: count how often they miss it.", power);
   add_tester_command(audit, command, "ledger",
-                     "Runs added up: how fine a margin do 100 certify, and which biases do they find?", ledger);
+                     "Add 100 runs up: show how fine a margin they certify, and which biases they find.", ledger);
 }
 
 }  // namespace fairlight

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include <fairlight/render/options.h>
 #include <fairlight/render/whole_file.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/stats/text.h>
@@ -70,30 +71,34 @@ int merge(const std::vector<std::string>& inputs, const std::string& output) {
 }
 
 void add_show(CLI::App& ledger, Command& command) {
-  auto* app = ledger.add_subcommand(
-      "show", "Runs, draws and the margin that is certified now, for each claim and its sources");
+  auto* app = ledger.add_subcommand("show", "Show the runs, draws and certified margin of each claim in a ledger.");
   auto path = std::make_shared<std::string>();
-  app->add_option("ledger", *path, "The ledger")->required()->type_name("F");
+  begin_group(*app, "Files");
+  add_text(*app, "ledger", *path, "F", "Show this ledger, which `fairlight verify --ledger` made.")->required();
+  add_examples(*app, {"fairlight ledger show evidence.txt"});
   app->callback([path, &command] { command = [path] { return show(*path); }; });
 }
 
 void add_merge(CLI::App& ledger, Command& command) {
-  auto* app = ledger.add_subcommand("merge", "One ledger of several: runs that are in more than one count once");
+  auto* app = ledger.add_subcommand("merge", "Merge ledgers into one; a run that is in several counts once.");
   auto inputs = std::make_shared<std::vector<std::string>>();
   auto output = std::make_shared<std::string>();
-  app->add_option("ledgers", *inputs, "Ledgers")->required()->type_name("F");
-  app->add_option("-o", *output, "The ledger of all, with a line for each claim and its sources")
-      ->required()
-      ->type_name("F");
+  begin_group(*app, "Files");
+  app->add_option("ledgers", *inputs, "Merge these ledgers.")->required()->type_name("F");
+  add_text(*app, "-o", *output, "F",
+           "Write the merged ledger to this file: a line for each claim and state of its sources.")
+      ->required();
+  add_examples(*app, {"fairlight ledger merge mine.txt yours.txt -o both.txt"});
   app->callback([inputs, output, &command] { command = [inputs, output] { return merge(*inputs, *output); }; });
 }
 
 }  // namespace
 
 void add_ledger_command(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("ledger", "Files in which the evidence of runs adds up");
+  auto* app = program.add_subcommand("ledger", "Show or merge files in which the evidence of runs adds up.");
   add_show(*app, command);
   add_merge(*app, command);
+  add_examples(*app, {"fairlight ledger show evidence.txt"});
 }
 
 }  // namespace fairlight

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fairlight/stats/seed.h>
@@ -38,15 +39,22 @@ std::string head(const Page& page) {
   return out + "To run it again, draw for draw:\n\n" + code(page.command);
 }
 
+std::string in_words(const Interval& bias) {
+  const std::string lo = end_text(bias.lo), hi = end_text(bias.hi);
+  if (std::isinf(bias.lo) && std::isinf(bias.hi)) return "not known yet";
+  if (std::isinf(bias.lo)) return "at most " + hi;
+  if (std::isinf(bias.hi)) return "at least " + lo;
+  return "between " + lo + " and " + hi;
+}
+
 std::string section(const Page& page, const Outcome& outcome, const std::string& path) {
   const Finding& finding = outcome.finding;
   const std::string title = label(outcome, page.conformance);
   std::string out = "## " + title + ": " + name(finding.verdict) + "\n\n";
   out += "Claimed (" + outcome.claim->kind + "): " + outcome.claim->statement +
          ". Source: " + outcome.claim->source + ".\n\n";
-  out +=
-      formatted("The bias is between %+.3g and %+.3g of the reference, ", finding.interval.lo, finding.interval.hi);
-  out += formatted("the margin %.1e; %llu draws in %.2f s.", finding.margin,
+  out += "The bias, relative to the reference, is " + in_words(finding.interval);
+  out += formatted(", the margin %.1e; %llu draws in %.2f s.", finding.margin,
                    static_cast<unsigned long long>(finding.draws), outcome.seconds);
   out += (finding.note.empty() ? "" : " Note: " + finding.note + ".") + "\n\n" +
          code(replay(*outcome.claim, page.conformance));
@@ -64,8 +72,9 @@ std::string table(const std::vector<Outcome>& outcomes, const Conformance& confo
   for (const Outcome& outcome : outcomes) {
     const Finding& finding = outcome.finding;
     out += "| " + label(outcome, conformance) + " | " + name(finding.verdict) + " | " + name(finding.guarantee);
-    out += formatted(" | %.1e | %+.2e | %+.2e | %llu | %.2f |\n", finding.margin, finding.interval.lo,
-                     finding.interval.hi, static_cast<unsigned long long>(finding.draws), outcome.seconds);
+    out += formatted(" | %.1e | %s | %s | %llu | %.2f |\n", finding.margin, end_text(finding.interval.lo).c_str(),
+                     end_text(finding.interval.hi).c_str(), static_cast<unsigned long long>(finding.draws),
+                     outcome.seconds);
   }
   return out;
 }

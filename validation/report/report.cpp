@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fairlight/stats/seed.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/provenance/replay_token.h>
 #include <fairlight/validation/report/report.h>
 #include <fairlight/version.h>
@@ -59,6 +61,18 @@ std::vector<Outcome> worst_first(std::vector<Outcome> outcomes) {
   });
   return outcomes;
 }
+
+std::string list_of(const std::vector<std::string>& names, std::size_t most) {
+  const std::size_t named = std::min(names.size(), most);
+  std::string list;
+  for (std::size_t i = 0; i < named; ++i) {
+    const bool last = i + 1 == names.size();
+    list += (i == 0 ? "" : last ? " and " : ", ") + names[i];
+  }
+  return named < names.size() ? list + " and " + std::to_string(names.size() - named) + " more" : list;
+}
+
+std::string end_text(double end) { return std::isinf(end) ? "open" : formatted("%+.2e", end); }
 
 nlohmann::json outcome_json(const Outcome& outcome, const Conformance& conformance) {
   const Finding& finding = outcome.finding;

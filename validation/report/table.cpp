@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 
 #include <unistd.h>
@@ -42,14 +43,31 @@ std::vector<Group> grouped(const std::vector<Outcome>& outcomes, Rows rows) {
   return groups;
 }
 
+// Whether an end bounds the bias of its claim: of one that holds, the end is open that it does not
+// exclude.
+bool bounds(const Outcome& outcome, double end) {
+  return outcome.finding.verdict != Verdict::certified || std::isfinite(end);
+}
+
+// The widest of the intervals' ends; open only where that of every claim is.
+Interval interval_of(const Group& group) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Interval all{infinite, -infinite};
+  for (const Outcome* outcome : group) {
+    const Interval& one = outcome->finding.interval;
+    if (bounds(*outcome, one.lo)) all.lo = std::min(all.lo, one.lo);
+    if (bounds(*outcome, one.hi)) all.hi = std::max(all.hi, one.hi);
+  }
+  return all;
+}
+
 // The finding of a row: the widest margin and interval, the sum of the draws.
 Finding finding_of(const Group& group) {
   Finding all = group[0]->finding;
+  all.interval = interval_of(group);
   for (const Outcome* outcome : group) {
-    const Finding& one = outcome->finding;
-    all.margin = std::max(all.margin, one.margin);
-    all.interval = {std::min(all.interval.lo, one.interval.lo), std::max(all.interval.hi, one.interval.hi)};
-    if (outcome != group[0]) all.draws += one.draws;
+    all.margin = std::max(all.margin, outcome->finding.margin);
+    if (outcome != group[0]) all.draws += outcome->finding.draws;
   }
   return all;
 }
@@ -73,10 +91,10 @@ class Table {
     const Finding finding = finding_of(group);
     double seconds = 0;
     for (const Outcome* outcome : group) seconds += outcome->seconds;
-    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %+10.2e %+10.2e %12llu %8.2f\n", width_,
-                 title(group, conformance_).c_str(), colour(finding.verdict), name(finding.verdict),
-                 colours_ ? "\033[0m" : "", guarantee_of(group).c_str(), finding.margin, finding.interval.lo,
-                 finding.interval.hi, static_cast<unsigned long long>(finding.draws), seconds);
+    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %10s %10s %12llu %8.2f\n", width_, title(group, conformance_).c_str(),
+                 colour(finding.verdict), name(finding.verdict), colours_ ? "\033[0m" : "",
+                 guarantee_of(group).c_str(), finding.margin, end_text(finding.interval.lo).c_str(),
+                 end_text(finding.interval.hi).c_str(), static_cast<unsigned long long>(finding.draws), seconds);
   }
 
  private:
@@ -98,15 +116,16 @@ void print_why(std::FILE* out, const Outcome& outcome, const Conformance& confor
                replay(*outcome.claim, conformance).c_str());
 }
 
-// What rows of many have to say, once.
+// What rows of many have to say, once, and of which claims.
 void print_notes(std::FILE* out, const std::vector<Group>& groups) {
-  std::map<std::string, int> notes;
+  constexpr std::size_t most_names = 3;
+  std::map<std::string, std::vector<std::string>> claims;  // by their note
   for (const Group& group : groups) {
     if (group.size() == 1) continue;
-    for (const Outcome* outcome : group) ++notes[outcome->finding.note];
+    for (const Outcome* outcome : group) claims[outcome->finding.note].push_back(outcome->claim->name);
   }
-  for (const auto& [note, claims] : notes) {
-    if (!note.empty()) std::fprintf(out, "%d %s: %s\n", claims, claims == 1 ? "claim" : "claims", note.c_str());
+  for (const auto& [note, names] : claims) {
+    if (!note.empty()) std::fprintf(out, "%s: %s\n", list_of(names, most_names).c_str(), note.c_str());
   }
 }
 
