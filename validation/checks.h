@@ -141,15 +141,20 @@ auto sum_of_lanes(const Value& x) {
 
 }  // namespace detail
 
+/// The number of a draw as that of a replicate, a set or a pixel, `what`, of which a key has 2^32. Throws NoMoreDraws beyond.
+inline std::uint32_t number_in_key(std::uint64_t i, const char* what) {
+  if (i >> 32 != 0) throw NoMoreDraws(std::string(what) + " have run out (there are 2^32 of one key)");
+  return static_cast<std::uint32_t>(i);
+}
+
 /// The mean of an estimator over the points of one replicate of a set, which must fill whole packets (else
 /// std::invalid_argument).
 template <PointSet Set, class Draw>
 auto replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
   constexpr auto at_once = static_cast<std::uint32_t>(lanes<typename Set::Scalar>);
-  if (replicate >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
   if (n % at_once != 0)
     throw std::invalid_argument("a replicate must fill whole packets (give a multiple of lanes)");
-  const Set set(key, static_cast<std::uint32_t>(replicate), n);
+  const Set set(key, number_in_key(replicate, "replicates"), n);
   auto source = set.source(0);
   auto total = draw(source);
   for (std::uint32_t i = at_once; i < n; i += at_once) {

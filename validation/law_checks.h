@@ -63,8 +63,7 @@ auto numbers_of_points(const StreamKey& key, std::uint32_t n) {
   if (n % lanes<Real> != 0)
     throw std::invalid_argument("a replicate must fill whole packets (give a multiple of lanes)");
   return [key, n](std::uint64_t i) {
-    if (i / n >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
-    return OwenSobol<Real>(key, static_cast<std::uint32_t>(i / n), n).source(static_cast<std::uint32_t>(i % n));
+    return OwenSobol<Real>(key, number_in_key(i / n, "replicates"), n).source(static_cast<std::uint32_t>(i % n));
   };
 }
 
