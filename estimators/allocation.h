@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <fairlight/estimators/packet.h>
 #include <fairlight/stats/moments.h>
 
 namespace fairlight {
@@ -31,10 +32,12 @@ namespace fairlight {
 /// An image's size; pixel y * width + x is the x-th of row y.
 class PixelGrid {
  public:
-  /// Throws std::invalid_argument for an image without pixels.
+  /// Throws std::invalid_argument for an image without pixels, or of 2^32 and more.
   constexpr PixelGrid(std::size_t width, std::size_t height) : width_(width), height_(height) {
     if (width == 0 || height == 0)
       throw std::invalid_argument("an image without pixels (there is nothing to sample)");
+    if (width > 0xFFFFFFFFu / height)
+      throw std::invalid_argument("an image of 2^32 pixels or more (their numbers have 32 bits)");
   }
 
   constexpr std::size_t width() const { return width_; }
@@ -122,7 +125,7 @@ namespace detail {
 inline std::vector<std::uint64_t> whole_weights(const std::vector<double>& scores) {
   double largest = 0;
   for (double score : scores) {
-    if (!(score >= 0 && std::isfinite(score))) {
+    if (!all_nonnegative(score)) {
       throw std::invalid_argument("a score of " + std::to_string(score) + " (it must be finite and not negative)");
     }
     largest = std::max(largest, score);

@@ -29,7 +29,7 @@ class BlackmanHarrisFilter {
   explicit BlackmanHarrisFilter(Real radius) : radius_(radius) {
     using std::erf;
     using std::erfc;
-    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
+    if (!all_positive(radius))
       throw std::invalid_argument("a Blackman-Harris filter's radius must be positive and finite (it divides)");
     start_kept_ = erf(Real(1) / start_scale());
     start_cut_ = erfc(Real(1) / start_scale());

@@ -47,10 +47,10 @@ struct SingleDirections {
 /// Throws std::invalid_argument unless the albedo is in [0,1] in every channel and lane.
 template <class Real>
 void require_albedo(const Rgb<Real>& albedo) {
-  Mask<Real> inside(true);
-  for (const Real& channel : albedo) inside = inside && channel >= Real(0) && channel <= Real(1);
-  if (!all(inside)) {
-    throw std::invalid_argument("an albedo must be in [0,1] per channel (a surface reflects no more than it gets)");
+  for (const Real& channel : albedo) {
+    if (!all_within(channel, 0, 1))
+      throw std::invalid_argument(
+          "an albedo must be in [0,1] per channel (a surface reflects no more than it gets)");
   }
 }
 

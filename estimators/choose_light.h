@@ -27,13 +27,12 @@ class PowerChoice {
     double total = 0;
     std::size_t chosen = 0;  // beyond the last that can be
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      if (!(weights[i] >= 0 && std::isfinite(weights[i])))
+      if (!all_nonnegative(weights[i]))
         throw std::invalid_argument("a weight must be nonnegative and finite (it becomes a probability)");
       total += weights[i];
       if (weights[i] > 0) chosen = i + 1;
     }
-    if (!std::isfinite(total))
-      throw std::invalid_argument("the sum of the weights must be finite (scale them down)");
+    if (!all_finite(total)) throw std::invalid_argument("the sum of the weights must be finite (scale them down)");
     while (1 << steps_ < size_) ++steps_;
     upper_.assign(std::size_t{1} << steps_, Number(2));
     lower_.assign(std::size_t{1} << steps_, Number(0));
@@ -132,7 +131,7 @@ class ContributionChoice {
       right = right && weight >= Real(0);
       total.add(weight);
     }
-    if (!all(right && total.value() < Real(infinity<Real>)))
+    if (!all(right) || !all_finite(total.value()))
       throw std::invalid_argument("a weight must be nonnegative and finite (it becomes a probability)");
     return total;
   }
@@ -193,7 +192,7 @@ class OneBy {
     Bound any{infinity<double>, -infinity<double>};
     for (std::size_t i = 0; i < terms.size(); ++i) {
       const double p = probabilities[i];
-      if (!(p >= 0 && p <= 1)) throw std::invalid_argument("a probability must be in [0,1] (it divides the term)");
+      if (!all_within(p, 0, 1)) throw std::invalid_argument("a probability must be in [0,1] (it divides the term)");
       if (p > 0) any = hull(any, 1 / p * terms[i]);
     }
     return any.lower <= any.upper ? any : Bound{0, 0};

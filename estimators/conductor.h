@@ -18,14 +18,10 @@ class Conductor : public SingleDirections<Real> {
 
   /// Throws std::invalid_argument for an index outside its domain.
   Conductor(const Rgb<Real>& eta, const Rgb<Real>& k) : eta_(eta), k_(k) {
-    Mask<Real> inside(true);
     for (int c = 0; c < 3; ++c) {
-      inside = inside && eta[c] > Real(0) && eta[c] < Real(infinity<Real>) && k[c] >= Real(0) &&
-               k[c] < Real(infinity<Real>);
-    }
-    if (!all(inside)) {
-      throw std::invalid_argument(
-          "a conductor's eta must be positive and its k nonnegative (k is how it absorbs, it cannot emit)");
+      if (!all_positive(eta[c]) || !all_nonnegative(k[c]))
+        throw std::invalid_argument(
+            "a conductor's eta must be positive and its k nonnegative (k is how it absorbs, it cannot emit)");
     }
   }
 

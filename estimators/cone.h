@@ -24,7 +24,7 @@ class UniformCone {
 
   /// Of the height 1 - cos(theta_max), in (0,2]; throws std::invalid_argument otherwise.
   explicit UniformCone(Real height) : height_(height) {
-    if (!all(height > Real(0) && height <= Real(2))) {
+    if (!all_positive(height) || !all(height <= Real(2))) {
       throw std::invalid_argument("a cone's height 1 - cos must be in (0,2] (its solid angle divides)");
     }
   }
@@ -32,7 +32,7 @@ class UniformCone {
   /// Of sin^2(theta_max) in (0,1], theta_max at most pi/2: for a sphere of radius r at the distance d, r^2/d^2.
   static UniformCone of_sine_squared(Real sine_squared) {
     using std::sqrt;
-    if (!all(sine_squared > Real(0) && sine_squared <= Real(1))) {
+    if (!all_positive(sine_squared) || !all(sine_squared <= Real(1))) {
       throw std::invalid_argument(
           "the squared sine of a cone's half angle must be in (0,1] (a sphere is seen as a "
           "cone only from outside)");
@@ -43,7 +43,7 @@ class UniformCone {
   /// Of theta_max in (0,pi] rad.
   static UniformCone of_half_angle(Real theta) {
     using std::sin;
-    if (!all(theta > Real(0) && theta <= Real(pi<Real>))) {
+    if (!all_positive(theta) || !all(theta <= Real(pi<Real>))) {
       throw std::invalid_argument("a cone's half angle must be in (0,pi] (its solid angle divides)");
     }
     const Real half = sin(theta / Real(2));

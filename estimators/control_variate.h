@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -24,7 +23,7 @@ class ControlVariate {
 
   ControlVariate(Inner inner, Control control, double c, double control_mean)
       : inner_(std::move(inner)), control_(std::move(control)), c_(c), control_mean_(control_mean) {
-    if (!std::isfinite(c) || !std::isfinite(control_mean))
+    if (!all_finite(c) || !all_finite(control_mean))
       throw std::invalid_argument("a control variate needs a finite factor and a finite mean (both are added)");
   }
 

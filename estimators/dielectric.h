@@ -26,7 +26,7 @@ class Dielectric : public SingleDirections<Real> {
 
   /// Throws std::invalid_argument for an index that is not positive and finite.
   explicit Dielectric(Real index) : index_(index) {
-    if (!all(index > Real(0) && index < Real(infinity<Real>))) {
+    if (!all_positive(index)) {
       throw std::invalid_argument("an index of refraction must be positive and finite (light has a speed)");
     }
   }

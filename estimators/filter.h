@@ -22,7 +22,7 @@ class BoxFilter {
 
   /// The radius r [pixel].
   explicit BoxFilter(Real radius = Real(0.5)) : radius_(radius) {
-    if (!all(radius > Real(0) && radius < Real(infinity<Real>)))
+    if (!all_positive(radius))
       throw std::invalid_argument("a box filter's radius must be positive and finite (it divides)");
   }
 

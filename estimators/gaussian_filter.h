@@ -27,9 +27,9 @@ class GaussianFilter {
     using std::erf;
     using std::erfc;
     using std::sqrt;
-    if (!all(deviation > Real(0) && deviation < Real(infinity<Real>)))
+    if (!all_positive(deviation))
       throw std::invalid_argument("a Gaussian filter's deviation must be positive and finite (it divides)");
-    if (!all(radius > Real(0) && radius <= Real(5) * deviation))
+    if (!all_positive(radius) || !all(radius <= Real(5) * deviation))
       throw std::invalid_argument(
           "a Gaussian filter's radius must be in (0, 5] deviations (beyond 5 is less than 6e-7 of it)");
     const Real scale = sqrt(Real(2)) * deviation;

@@ -17,7 +17,7 @@ class Ggx {
   /// Roughness along x and y, both in [1e-4, 1]; throws std::invalid_argument otherwise.
   Ggx(Real alpha_x, Real alpha_y) : alpha_x_(alpha_x), alpha_y_(alpha_y) {
     for (const Real& alpha : {alpha_x, alpha_y}) {
-      if (!all(alpha >= rounded<Real>(1e-4)) || !all(alpha <= Real(1)))
+      if (!all_within(alpha, 1e-4, 1))
         throw std::invalid_argument("a roughness must lie in [1e-4, 1] (smoother is a mirror)");
     }
   }

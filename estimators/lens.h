@@ -81,7 +81,7 @@ class PolygonalAperture {
     using std::sin;
     require_positive(radius, "an aperture's radius", "a pinhole has none");
     if (blades < 3) throw std::invalid_argument("an aperture needs three blades or more (or none, and is round)");
-    if (!all(rotation > Real(-infinity<Real>) && rotation < Real(infinity<Real>)))
+    if (!all_finite(rotation))
       throw std::invalid_argument("an aperture's rotation must be finite (it is an angle)");
     half_sector_ = pi<Real> / rounded<Real>(blades);
     apothem_ = radius * cos(half_sector_);
@@ -144,7 +144,7 @@ template <class Real, class Aperture>
 class ThinLens {
  public:
   ThinLens(Real focus_distance, Aperture aperture) : focus_(focus_distance), aperture_(std::move(aperture)) {
-    if (!all(focus_distance > Real(0)))
+    if (!all(focus_distance > Real(0)) || !all_finite(Real(Real(1) / focus_distance)))
       throw std::invalid_argument("a lens must be focused in front of the camera (its distance divides)");
   }
 

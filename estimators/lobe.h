@@ -25,7 +25,7 @@ class PowerCosineLobe {
 
   /// About a unit vector; exponent n >= 0, finite; throws std::invalid_argument otherwise.
   PowerCosineLobe(const Vec3<Real>& axis, Real exponent) : axis_(axis), frame_(axis), exponent_(exponent) {
-    if (!all(exponent >= Real(0) && exponent < Real(infinity<Real>))) {
+    if (!all_nonnegative(exponent)) {
       throw std::invalid_argument("a lobe's exponent must be nonnegative and finite (its density divides)");
     }
     require_unit(axis, "a lobe's axis");

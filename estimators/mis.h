@@ -191,7 +191,7 @@ class OneSampleMis {
       : laws_{std::move(laws)}, c_(c), integrand_(std::move(integrand)), mixture_(mixture) {
     const double sum = std::accumulate(c.begin(), c.end(), 0.0);
     for (double& probability : c_) {
-      if (!(probability > 0 && std::isfinite(sum)))
+      if (!(probability > 0 && all_finite(sum)))
         throw std::invalid_argument("the probability of a law must be positive and finite (leave out what is 0)");
       probability /= sum;
     }

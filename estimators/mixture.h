@@ -81,10 +81,10 @@ class Mixture {
   }
 
   static void require_lobe(Real weight, Real probability) {
-    if (!all(weight >= Real(0) && weight < Real(infinity<Real>))) {
+    if (!all_nonnegative(weight)) {
       throw std::invalid_argument("the weight of a mixture's lobe must be nonnegative and finite (light adds up)");
     }
-    if (!all(probability >= Real(0) && probability <= Real(1))) {
+    if (!all_within(probability, 0, 1)) {
       throw std::invalid_argument("the probability of a mixture's lobe must be in [0,1] (it is a probability)");
     }
     if (any(probability == Real(0) && weight > Real(0))) {

@@ -62,6 +62,29 @@ xsimd::batch<std::uint32_t, A> leading_bits(const xsimd::batch<float, A>& x) {
 }
 
 template <class A>
+bool all_finite(const xsimd::batch<float, A>& x) {
+  using W = xsimd::batch<std::uint32_t, A>;
+  const W exponent(0x7F800000u);
+  return !any((xsimd::bitwise_cast<W>(x) & exponent) == exponent);
+}
+
+/// Whether every lane is a number in [low, high]. Not a number is in no interval, with -ffast-math too.
+template <class Real>
+bool all_within(const Real& x, double low, double high) {
+  return all_finite(x) && all(x >= rounded<Real>(low) && x <= rounded<Real>(high));
+}
+
+/// Whether every lane is positive and finite; nonnegative and finite.
+template <class Real>
+bool all_positive(const Real& x) {
+  return all_finite(x) && all(x > Real(0));
+}
+template <class Real>
+bool all_nonnegative(const Real& x) {
+  return all_finite(x) && all(x >= Real(0));
+}
+
+template <class A>
 xsimd::batch<std::int32_t, A> index_of(const xsimd::batch<std::uint32_t, A>& word) {
   return xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(word);
 }

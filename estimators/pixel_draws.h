@@ -21,10 +21,12 @@ class PixelDraws {
   PixelDraws(const StreamKey& key, std::uint32_t first_unit, PixelEstimator estimator)
       : key_(key), first_unit_(first_unit), estimator_(std::move(estimator)) {}
 
+  /// Throws std::length_error for a pixel whose unit has more than 32 bits.
   std::vector<double> operator()(std::size_t pixel, std::uint64_t first, std::uint64_t n) const {
+    const std::uint32_t unit = checked_number(first_unit_, pixel, "units");
     std::vector<double> samples;
     for (std::uint64_t i = 0; i < n; i += lanes<Real>) {
-      PhiloxStream<Real> source(key_, first_unit_ + static_cast<std::uint32_t>(pixel), first + i);
+      PhiloxStream<Real> source(key_, unit, first + i);
       std::array<double, lanes<Real>> values{};
       store_lanes(estimator_(pixel, source), values.data());
       samples.insert(samples.end(), values.begin(), values.begin() + std::min<long>(lanes<Real>, long(n - i)));
@@ -49,13 +51,16 @@ class PixelPointSets {
                  PixelEstimator estimator)
       : key_(key), first_replicate_(first_replicate), samples_(samples), estimator_(std::move(estimator)) {}
 
-  /// Throws std::length_error for sample numbers of `samples` or more, which are another pixel's.
+  /// Throws std::length_error for sample numbers of `samples` or more, which are another pixel's, and for a replicate
+  /// whose number has more than 32 bits.
   std::vector<double> operator()(std::size_t pixel, std::uint64_t first, std::uint64_t n) const {
     std::vector<double> values;
     if (n == 0) return values;
-    if (first + n > samples_) throw std::length_error("a pixel's samples have run out (reserve more)");
+    if (first > samples_ || n > samples_ - first)
+      throw std::length_error("a pixel's samples have run out (reserve more)");
     const auto points = static_cast<std::uint32_t>(n);
-    const Set set(key_, first_replicate_ + static_cast<std::uint32_t>(pixel * samples_ + first), points);
+    const std::uint64_t replicate = std::uint64_t{checked_number(0, pixel, "pixels")} * samples_ + first;
+    const Set set(key_, checked_number(first_replicate_, replicate, "replicates"), points);
     for (std::uint32_t i = 0; i < points; ++i) {
       auto source = set.source(i);
       values.push_back(estimator_(pixel, source));

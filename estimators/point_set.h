@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 #include <fairlight/estimators/concepts.h>
 #include <fairlight/estimators/stream.h>
@@ -22,6 +23,15 @@ namespace fairlight {
 inline std::uint32_t checked_size(std::uint32_t n) {
   if (n < 1 || n > 1u << 28) throw std::invalid_argument("a point set of no or too many points (give 1 to 2^28)");
   return n;
+}
+
+/// The number `first` + i of a unit or a replicate, of which a key has 2^32. Throws std::length_error beyond them, called
+/// `what`: they would come again, and draws not be independent.
+inline std::uint32_t checked_number(std::uint32_t first, std::uint64_t i, const char* what) {
+  if (i > 0xFFFFFFFFu - first)
+    throw std::length_error(std::string("the ") + what +
+                            " of a key have run out (there are 2^32; take a further key)");
+  return first + static_cast<std::uint32_t>(i);
 }
 
 /// The random words of one replicate of a point set, four for each pair of dimensions 2k and 2k + 1.

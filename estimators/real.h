@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -62,6 +63,17 @@ Value select(bool mask, const Value& a, const Value& b) {
 /// Whether the mask holds anywhere; everywhere.
 inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
+
+/// Whether no lane is infinite or not a number, by its bits: a comparison would be optimised away in code that is
+/// compiled with -ffast-math, as these headers may be.
+inline bool all_finite(double x) {
+  constexpr std::uint64_t exponent = 0x7FF0000000000000u;
+  return (std::bit_cast<std::uint64_t>(x) & exponent) != exponent;
+}
+inline bool all_finite(float x) {
+  constexpr std::uint32_t exponent = 0x7F800000u;
+  return (std::bit_cast<std::uint32_t>(x) & exponent) != exponent;
+}
 
 /// The whole number below a nonnegative Real.
 inline int whole(double x) { return static_cast<int>(x); }

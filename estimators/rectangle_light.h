@@ -22,7 +22,7 @@ class RectangleLight {
     using std::abs;
     if (!all(width_ > Real(0) && height_ > Real(0)))
       throw std::invalid_argument("a rectangle's edges must be longer than 0 (its area divides)");
-    if (!all(width_ < Real(infinity<Real>) && height_ < Real(infinity<Real>)) || !all_finite(corner))
+    if (!all_finite(width_) || !all_finite(height_) || !all_finite(corner))
       throw std::invalid_argument("a rectangle's corner and edges must be finite (points on it are drawn)");
     if (!all(abs(edge_x.dot(edge_y)) <= Real(64) * ulp<Real> * width_ * height_))
       throw std::invalid_argument("a rectangle's edges must be orthogonal (other shapes are not sampled)");

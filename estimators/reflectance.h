@@ -12,7 +12,7 @@ namespace detail {
 template <class Real>
 const Rgb<Real>& checked_reflectance(const Rgb<Real>& colour) {
   for (int c = 0; c < 3; ++c) {
-    if (!all(colour[c] >= Real(0)) || !all(colour[c] <= Real(1)))
+    if (!all_within(colour[c], 0, 1))
       throw std::invalid_argument("a reflectance must lie in [0,1] (no surface reflects more than it gets)");
   }
   return colour;
@@ -58,9 +58,8 @@ class FresnelReflectance {
  public:
   /// Throws std::invalid_argument unless eta is positive and k not negative, both finite.
   FresnelReflectance(const Rgb<Real>& eta, const Rgb<Real>& k) : eta_(eta), k_(k) {
-    const Real infinite(infinity<Real>);
     for (int c = 0; c < 3; ++c) {
-      if (!all(eta[c] > Real(0) && eta[c] < infinite && k[c] >= Real(0) && k[c] < infinite))
+      if (!all_positive(eta[c]) || !all_nonnegative(k[c]))
         throw std::invalid_argument("a conductor's eta must be positive, and its k not negative, both finite");
     }
   }

@@ -23,7 +23,7 @@ struct Survival {
 struct RussianRoulette {
   template <class Real>
   static Survival<Real> play(Real q, Real u) {
-    if (!all(q >= Real(0) && q <= Real(1)))
+    if (!all_within(q, 0, 1))
       throw std::invalid_argument("a path cannot go on with such a probability (it must be in [0,1])");
     return {u < q, Real(1) / q};
   }
@@ -40,7 +40,8 @@ class Rouletted {
   using Scalar = typename Inner::Scalar;
 
   Rouletted(Inner inner, double q) : inner_(std::move(inner)), q_(q) {
-    if (!(q > 0 && q <= 1)) throw std::invalid_argument("a probability must be in (0,1] (survivors are paid 1/q)");
+    if (!all_positive(q) || !(q <= 1))
+      throw std::invalid_argument("a probability must be in (0,1] (survivors are paid 1/q)");
   }
 
   template <UniformSource<Scalar> Source>

@@ -22,7 +22,7 @@ class Splitting {
   using Scalar = typename Inner::Scalar;
 
   Splitting(Inner inner, double k) : inner_(std::move(inner)), k_(k) {
-    if (!(k > 0 && k <= 1e9))
+    if (!all_positive(k) || !(k <= 1e9))
       throw std::invalid_argument(
           "the number of runs must be positive and at most 10^9 (each is counted 1/k times)");
   }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <fairlight/estimators/packet_words.h>
+#include <fairlight/stats/hash.h>
 
 namespace fairlight {
 
@@ -59,14 +60,14 @@ Five<W> five_of(const std::array<W, 4>& words) {
 class StreamKey {
  public:
   StreamKey(std::uint64_t seed, std::string_view purpose) {
-    std::uint64_t hash = 0xCBF29CE484222325u;
-    for (char c : purpose) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
+    const std::uint64_t hash = hash_of(purpose);
     const auto block = Philox<std::uint32_t>::draw({low(hash), high(hash), 0, 0}, {low(seed), high(seed)});
     key_ = {block[0], block[1]};
   }
   const Philox<std::uint32_t>::Key& words() const { return key_; }
 
   /// Key n of those that a purpose may use one after the other, where the numbers of one run out; key 0 is this one.
+  /// All 2^32 differ.
   StreamKey further(std::uint32_t n) const {
     StreamKey key = *this;
     key.key_[0] += n;

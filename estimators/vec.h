@@ -39,23 +39,22 @@ Value zero() {
 /// Whether no component of any lane is infinite or not a number.
 template <class Real>
 bool all_finite(const Vec3<Real>& v) {
-  using std::abs;
-  const Real infinite(infinity<Real>);
-  return all(Real(abs(v.x())) < infinite && Real(abs(v.y())) < infinite && Real(abs(v.z())) < infinite);
+  return all_finite(v.x()) && all_finite(v.y()) && all_finite(v.z());
 }
 
 /// Throws std::invalid_argument unless `v`, called `what`, is a unit vector but for rounding.
 template <class Real>
 void require_unit(const Vec3<Real>& v, const char* what) {
   using std::abs;
-  if (all(Real(abs(Real(v.squaredNorm() - Real(1)))) <= Real(256 * ulp<Real>))) return;
+  const Real off = v.squaredNorm() - Real(1);
+  if (all_finite(off) && all(Real(abs(off)) <= Real(256 * ulp<Real>))) return;
   throw std::invalid_argument(std::string(what) + " must be a unit vector (divide it by its length)");
 }
 
 /// Throws std::invalid_argument unless `x`, called `what`, is positive and finite; `why` it must be.
 template <class Real>
 void require_positive(const Real& x, const char* what, const char* why) {
-  if (all(x > Real(0) && x < Real(infinity<Real>))) return;
+  if (all_positive(x)) return;
   throw std::invalid_argument(std::string(what) + " must be positive and finite (" + why + ")");
 }
 

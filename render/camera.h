@@ -40,16 +40,15 @@ class Camera {
   /// Throws std::invalid_argument for settings that have no picture.
   explicit Camera(const CameraSettings& settings)
       : settings_(settings), look_(settings.look.normalized()), right_(look_.cross(settings.up.normalized())) {
-    if (!(right_.norm() > 1e-6))
+    if (!all_finite(right_) || right_.norm() <= 1e-6)
       throw std::invalid_argument("the camera looks straight up or down (up is undefined)");
-    if (!settings.eye.allFinite()) throw std::invalid_argument("the camera's place must be finite");
-    if (!(settings.image_height > 0 && settings.image_height < infinity<double>))
+    if (!all_finite(settings.eye)) throw std::invalid_argument("the camera's place must be finite");
+    if (!all_positive(settings.image_height))
       throw std::invalid_argument("the image plane's height must be positive and finite");
-    if (!(settings.start >= 0 && settings.start < infinity<double>))
-      throw std::invalid_argument("rays must start at or in front of the eye");
-    if (!(settings.aperture_radius >= 0 && settings.aperture_radius < infinity<double>))
+    if (!all_nonnegative(settings.start)) throw std::invalid_argument("rays must start at or in front of the eye");
+    if (!all_nonnegative(settings.aperture_radius))
       throw std::invalid_argument("the aperture's radius must be finite and not negative (0 is a pinhole)");
-    if (!(settings.focus_distance > 0))
+    if (!(settings.focus_distance > 0) || !all_finite(1 / settings.focus_distance))
       throw std::invalid_argument("the camera must be focused in front of itself (it sees nothing behind)");
     if (settings.blades != 0 && settings.blades < 3)
       throw std::invalid_argument("an aperture needs three blades or more (or 0, and is round)");

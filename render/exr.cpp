@@ -19,6 +19,7 @@
 #include <fairlight/render/picture.h>
 #include <fairlight/render/raster.h>
 #include <fairlight/render/whole_file.h>
+#include <fairlight/stats/seed.h>
 #include <fairlight/version.h>
 
 namespace fairlight {
@@ -86,6 +87,7 @@ std::vector<Imf::Header> headers(const Picture& picture) {
   attribute("settings", nlohmann::json(picture.settings).dump());
   attribute("seed", picture.samples.json().dump());
   attribute("version", version);
+  attribute("checksum", seed_text(picture.checksum()));
   for (const std::string& name : light_names()) light.channels().insert(name, Imf::Channel(Imf::FLOAT));
   light.channels().insert("samples.N", Imf::Channel(Imf::UINT));
   Imf::Header sums = part_header("sums", picture.film);
@@ -95,11 +97,10 @@ std::vector<Imf::Header> headers(const Picture& picture) {
 
 // Of a pixel: the film counts sets.
 std::uint32_t sample_count(const Film::Pixel& pixel, std::uint32_t points) {
-  const std::uint64_t samples = pixel[0].count() * points;
-  if (samples > std::numeric_limits<std::uint32_t>::max()) {
+  if (pixel[0].count() > std::numeric_limits<std::uint32_t>::max() / points) {
     throw std::runtime_error("a pixel holds more than 2^32 - 1 samples (the EXR's samples layer cannot say so)");
   }
-  return static_cast<std::uint32_t>(samples);
+  return static_cast<std::uint32_t>(pixel[0].count()) * points;
 }
 
 void write_light(Imf::MultiPartOutputFile& file, const Film& film, std::uint32_t points) {
@@ -159,15 +160,24 @@ void read_sums(Imf::MultiPartInputFile& file, Film& film) {
   }
 }
 
+// Of a file that fairlight wrote and that cannot be used: it follows the file's name.
+struct Unusable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void require_unchanged(bool unchanged) {
+  if (!unchanged) throw Unusable("was changed by another program (give the file as fairlight wrote it)");
+}
+
 std::string attribute(const Imf::Header& header, const char* name) {
   return header.typedAttribute<Imf::StringAttribute>(std::string("fairlight.") + name).value();
 }
 
-bool same_names(const Imf::ChannelList& channels, std::vector<std::string> names) {
-  std::vector<std::string> found;
-  for (auto i = channels.begin(); i != channels.end(); ++i) found.emplace_back(i.name());
+bool has_sums(const Imf::Header& header, const RenderSettings& settings) {
+  std::vector<std::string> names = sum_names(), found;
   std::sort(names.begin(), names.end());
-  return found == names;
+  for (auto i = header.channels().begin(); i != header.channels().end(); ++i) found.emplace_back(i.name());
+  return found == names && header.dataWindow() == Imath::Box2i({0, 0}, {settings.width - 1, settings.height - 1});
 }
 
 // What the ledger says was sampled is what every pixel has counted.
@@ -177,7 +187,7 @@ void check_counts(const Picture& picture) {
   for (int y = 0; y < picture.film.height(); ++y) {
     for (int x = 0; x < picture.film.width(); ++x) {
       for (const ExactMoments& moments : picture.film.at(x, y)) {
-        if (moments.count() * points != total || total == 0)
+        if (moments.count() != total / points || total % points != 0 || total == 0)
           throw std::runtime_error("its sums do not belong to its samples");
       }
     }
@@ -185,18 +195,16 @@ void check_counts(const Picture& picture) {
 }
 
 Picture read_parts(Imf::MultiPartInputFile& file) {
-  if (file.parts() != 2) throw std::runtime_error("it lacks the film's sums");
   const Imf::Header& light = file.header(0);
   const auto settings = nlohmann::json::parse(attribute(light, "settings")).get<RenderSettings>();
-  if (settings.scene != attribute(light, "scene")) throw std::runtime_error("it names two scenes");
-  const Imath::Box2i window = file.header(1).dataWindow();
-  if (window != Imath::Box2i({0, 0}, {settings.width - 1, settings.height - 1}) ||
-      !same_names(file.header(1).channels(), sum_names())) {
-    throw std::runtime_error("its sums do not belong to its settings");
-  }
+  if (light.findTypedAttribute<Imf::StringAttribute>("fairlight.checksum") == nullptr)
+    throw Unusable("has no checksum, as of an earlier version of fairlight (render it again)");
+  require_unchanged(file.parts() == 2 && settings.scene == attribute(light, "scene") &&
+                    has_sums(file.header(1), settings));
   Picture picture{settings, SampleLedger::from_json(nlohmann::json::parse(attribute(light, "seed"))),
                   Film(settings.width, settings.height)};
   read_sums(file, picture.film);
+  require_unchanged(seed_text(picture.checksum()) == attribute(light, "checksum"));
   check_counts(picture);
   return picture;
 }
@@ -243,23 +251,12 @@ Picture read_exr(const std::string& path) {
   try {
     Imf::MultiPartInputFile file(path.c_str());
     return read_parts(file);
+  } catch (const Unusable& problem) {
+    throw std::runtime_error("\"" + path + "\" " + problem.what());
   } catch (const std::exception& error) {
     throw std::runtime_error("\"" + path + "\" is not a whole EXR file from fairlight render (" + error.what() +
                              ")");
   }
-}
-
-void Picture::merge(const Picture& other) {
-  const nlohmann::json mine = settings;
-  const nlohmann::json theirs = other.settings;
-  for (const auto& [key, value] : mine.items()) {
-    if (theirs.at(key) != value) {
-      throw std::invalid_argument("renders with different settings cannot be merged (" + key + " is " +
-                                  value.dump() + " in one, " + theirs.at(key).dump() + " in the other)");
-    }
-  }
-  samples.merge(other.samples);
-  film.merge(other.film);
 }
 
 }  // namespace fairlight

@@ -6,6 +6,8 @@
 #include <sys/resource.h>
 
 #include <fairlight/render/contact_sheet.h>
+#include <fairlight/render/file_lock.h>
+#include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/picture.h>
@@ -31,6 +33,8 @@ SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint
     throw std::invalid_argument("\"" + shard +
                                 "\" is not a shard (give i/N with i from 1 to N, and N at most 65536)");
   }
+  if (i * sets / n * points > std::numeric_limits<std::uint64_t>::max() - first)
+    throw std::invalid_argument("the samples of this seed have run out (there are 2^64; give another --seed)");
   const SampleRange range{first + (i - 1) * sets / n * points, first + i * sets / n * points};
   if (range.first == range.last)
     throw std::invalid_argument("shard " + shard + " is empty (there are more shards than " +
@@ -101,6 +105,7 @@ void check_count(const Picture& picture, std::uint64_t spp) {
 int render(const RenderOptions& options) {
   const View view = view_of(options.settings);
   check_outputs(options);
+  const OutputLock lock(options.output);
   check_whole_sets(options.settings, options.spp);
   Picture picture = start(options);
   check_count(picture, options.spp);
@@ -126,6 +131,7 @@ int render(const RenderOptions& options) {
 
 int merge(const std::vector<std::string>& inputs, const std::string& output) {
   WholeFile::check_writable(output);
+  const OutputLock lock(output);
   Picture picture = read_exr(inputs.front());
   for (std::size_t i = 1; i < inputs.size(); ++i) picture.merge(read_exr(inputs[i]));
   write_exr(output, picture);

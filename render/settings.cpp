@@ -1,4 +1,5 @@
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 
 #include <fairlight/render/settings.h>
@@ -8,6 +9,8 @@ namespace fairlight {
 
 void SampleLedger::add(std::uint64_t seed, SampleRange range) {
   if (range.first >= range.last) throw std::invalid_argument("a render must hold at least one sample per pixel");
+  if (range.last - range.first > std::numeric_limits<std::uint64_t>::max() - total())
+    throw std::invalid_argument("a picture cannot hold 2^64 samples a pixel (merge fewer)");
   auto& ranges = ranges_[seed];
   auto after = ranges.lower_bound(range.first);
   const bool overlaps_before = after != ranges.begin() && std::prev(after)->second > range.first;

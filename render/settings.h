@@ -50,7 +50,7 @@ struct SampleRange {
 /// Which samples of which seed a picture holds, so that none is counted twice.
 class SampleLedger {
  public:
-  /// Throws std::invalid_argument when some of them are there already, or the range is empty.
+  /// Throws std::invalid_argument when some of them are there already, the range is empty, or there would be 2^64 and more.
   void add(std::uint64_t seed, SampleRange range);
   /// Throws as add does.
   void merge(const SampleLedger& other);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <numeric>
+#include <stdexcept>
 
 #include <fairlight/render/tile_renderer.h>
 
@@ -49,11 +50,13 @@ InLanes<Real, Value> stored(const Batch& x) {
 template <class Real>
 class TileJobs {
  public:
+  /// Samples from `first_sample` on, of an image so wide. Throws std::length_error where 32 bits do not number all samples
+  /// and jobs.
   TileJobs(const Tile& tile, std::uint32_t first_sample, std::uint32_t samples, int width)
       : tile_(tile),
         first_sample_(first_sample),
         samples_(samples),
-        jobs_(samples * static_cast<std::uint32_t>(tile.pixels())),
+        jobs_(checked_jobs(tile, first_sample, samples)),
         width_(static_cast<std::uint32_t>(width)),
         x_(tile.left),
         y_(tile.top) {}
@@ -79,6 +82,13 @@ class TileJobs {
   }
 
  private:
+  static std::uint32_t checked_jobs(const Tile& tile, std::uint32_t first_sample, std::uint32_t samples) {
+    const std::uint64_t jobs = std::uint64_t{samples} * static_cast<std::uint64_t>(tile.pixels());
+    if (jobs >> 32 != 0 || std::uint64_t{first_sample} + samples > std::uint64_t{1} << 32)
+      throw std::length_error("a tile of more samples than 32 bits number (take fewer at once)");
+    return static_cast<std::uint32_t>(jobs);
+  }
+
   using Number = Lane<Real>;
   using Numbers = detail::InLanes<Real, Number>;
   using Words = detail::InLanes<Real, std::uint32_t>;

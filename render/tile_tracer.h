@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -48,7 +49,8 @@ class TileTracer : public TileRenderer {
         camera_(settings.camera),
         filter_(settings.strategies.filter),
         tracer_(chosen_tracer<Real>(settings.strategies, settings.scene)),
-        numbers_(settings.strategies, settings.key),
+        strategies_(settings.strategies),
+        key_(settings.key),
         points_(settings.strategies.points),
         width_(settings.width),
         height_(settings.height) {}
@@ -56,9 +58,10 @@ class TileTracer : public TileRenderer {
   std::uint64_t render(const Tile& tile, SampleRange range, Film& film) const override {
     const CountedScene<Real> scene(scene_);
     const std::uint64_t at_once = std::max(held, points_);
-    for (std::uint64_t first = range.first; first < range.last; first += at_once) {
-      const auto n = static_cast<std::uint32_t>(std::min<std::uint64_t>(at_once, range.last - first));
-      Run run(*this, tile, static_cast<std::uint32_t>(first), n);
+    for (std::uint64_t first = range.first, n = 0; first < range.last; first += n) {
+      const std::uint64_t of_key = (std::uint64_t{1} << 32) - (first & 0xFFFFFFFFu);  // left of the same numbers
+      n = std::min({at_once, range.last - first, of_key});
+      Run run(*this, tile, first, static_cast<std::uint32_t>(n));
       run.trace(scene);
       for (int pixel = 0; pixel < tile.pixels(); ++pixel) run.add_pixel(pixel, film);
     }
@@ -73,8 +76,12 @@ class TileTracer : public TileRenderer {
   /// Some samples of every pixel of a tile.
   class Run {
    public:
-    Run(const TileTracer& tracer, const Tile& tile, std::uint32_t first_sample, std::uint32_t samples)
-        : by_(tracer), tile_(tile), samples_(samples), jobs_(tile, first_sample, samples, tracer.width_) {
+    Run(const TileTracer& tracer, const Tile& tile, std::uint64_t first_sample, std::uint32_t samples)
+        : by_(tracer),
+          numbers_(tracer.numbers_of(first_sample)),
+          tile_(tile),
+          samples_(samples),
+          jobs_(tile, static_cast<std::uint32_t>(first_sample), samples, tracer.width_) {
       for (auto& channel : radiance_) channel = std::make_unique_for_overwrite<Number[]>(jobs_.size());
     }
 
@@ -108,7 +115,7 @@ class TileTracer : public TileRenderer {
     /// A vertex of all paths.
     FAIRLIGHT_FLATTEN Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
                                          const Mask<Real>& alive) {
-      VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job_.pixel, job_.sample, vertex_of(path)});
+      VertexSource<Real, ChosenNumbers> source(numbers_, {job_.pixel, job_.sample, vertex_of(path)});
       return by_.tracer_.advance(scene, path, source, alive);
     }
 
@@ -118,7 +125,7 @@ class TileTracer : public TileRenderer {
     /// Gives jobs to idle lanes, and returns those that are still idle.
     FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
       const auto ray_of = [this](const Vec2<Real>& middle, const Job<Real>& job) {
-        VertexSource<Real, ChosenNumbers> source(by_.numbers_, {job.pixel, job.sample, Word<Real>(0u)},
+        VertexSource<Real, ChosenNumbers> source(numbers_, {job.pixel, job.sample, Word<Real>(0u)},
                                                  by_.camera_.has_lens() ? BlockPart::all : BlockPart::first_pair);
         return pixel_ray(by_.camera_, by_.filter_, middle, by_.width_, by_.height_, source);
       };
@@ -156,6 +163,7 @@ class TileTracer : public TileRenderer {
     }
 
     const TileTracer& by_;
+    ChosenNumbers numbers_;
     Tile tile_;
     std::uint32_t samples_;  ///< of every pixel
     TileJobs<Real> jobs_;
@@ -163,11 +171,18 @@ class TileTracer : public TileRenderer {
     std::array<std::unique_ptr<Number[]>, 3> radiance_;  ///< of the jobs, per channel
   };
 
+  /// Lanes number samples by words of 32 bits; what is above these in a sample's number chooses the key. So the numbers
+  /// of a sample below 2^32 are those of the render's own key, and none come again beyond.
+  ChosenNumbers numbers_of(std::uint64_t sample) const {
+    return {strategies_, key_.further(static_cast<std::uint32_t>(sample >> 32))};
+  }
+
   TracedScene<Real> scene_;
   Camera camera_;
   ChosenFilter<Real> filter_;
   PathTracer<ChosenBounces, ChosenDirect<Real>, ChosenRoulette> tracer_;
-  ChosenNumbers numbers_;
+  Strategies strategies_;
+  StreamKey key_;
   std::uint32_t points_;  ///< of a set
   int width_, height_;
 };

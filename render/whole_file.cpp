@@ -12,12 +12,8 @@
 
 namespace fairlight {
 
-namespace {
-
-namespace fs = std::filesystem;
-
-// Where the file itself is to be, past symbolic links.
-std::string resolve(const std::string& path) {
+std::string resolved_output(const std::string& path) {
+  namespace fs = std::filesystem;
   std::error_code error;
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
   const std::string folder = fs::weakly_canonical(fs::absolute(path).parent_path(), error).string();
@@ -28,10 +24,8 @@ std::string resolve(const std::string& path) {
   return target.string();
 }
 
-}  // namespace
-
 WholeFile::WholeFile(const std::string& path)
-    : path_(resolve(path)), partial_(path_ + ".part" + std::to_string(getpid())) {
+    : path_(resolved_output(path)), partial_(path_ + ".part" + std::to_string(getpid())) {
   file_ = std::fopen(partial_.c_str(), "wbx");
   if (file_ == nullptr) fail("write");
 }

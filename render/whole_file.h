@@ -40,6 +40,10 @@ class WholeFile {
   bool failed_ = false;
 };
 
+/// Where an output is to be, past a symbolic link. Throws std::runtime_error where something is in the way that is no
+/// file, such as a folder or a device.
+std::string resolved_output(const std::string& path);
+
 /// All bytes of a file. Throws std::runtime_error where it cannot be read.
 std::string read_whole(const std::string& path);
 

@@ -21,7 +21,11 @@ class ExactSums {
 
   /// Of at most so many draws. Nothing for more, or where they must be looked at one by one: those that are no draws of ExactMoments,
   /// none but zeros, finer than its unit, or too far apart.
-  static std::optional<ExactSums> of(std::span<const float> draws) {
+  /// Nothing at all in code that is compiled with -ffast-math, which leaves out (x + shift) - shift.
+  static std::optional<ExactSums> of([[maybe_unused]] std::span<const float> draws) {
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
+    return std::nullopt;
+#else
     if (draws.size() > most) return std::nullopt;
     std::uint32_t largest = 0;
     std::uint32_t least_but_zero = 0xFFFFFFFF;  // less one
@@ -34,6 +38,7 @@ class ExactSums {
     const bool refused = largest >= std::bit_cast<std::uint32_t>(0x1p64f);
     if (refused || lowest < whole || (largest >> 23) > lowest + range) return std::nullopt;
     return ExactSums(draws, lowest);
+#endif
   }
 
   std::uint64_t count() const { return count_; }

@@ -32,10 +32,10 @@ std::string histogram(std::vector<double> sample) {
   if (sample.empty()) return {};
   const auto [least, greatest] = std::minmax_element(sample.begin(), sample.end());
   const double low = *least;
-  const double width = (*greatest - low) / bars;
+  const double width = *greatest / bars - low / bars;  // the difference of the two may be infinite
   if (width == 0) return formatted("  all of %zu draws are %g\n", sample.size(), low);
   std::array<std::size_t, bars> counts{};
-  for (double x : sample) ++counts[std::min(static_cast<std::size_t>((x - low) / width), bars - 1)];
+  for (double x : sample) ++counts[std::min(static_cast<std::size_t>(x / width - low / width), bars - 1)];
   const std::size_t most = *std::max_element(counts.begin(), counts.end());
   std::string result = formatted("  %zu draws\n", sample.size());
   for (std::size_t i = 0; i < bars; ++i) {
@@ -63,6 +63,11 @@ Generator generator_for(const Trial& trial, const std::string& purpose) {
   words.push_back(static_cast<std::uint32_t>(trial.seed >> 32));
   std::seed_seq sequence(words.begin(), words.end());
   return Generator(sequence);
+}
+
+double detail::scale_of(const std::vector<double>& pilot) {
+  const double mean = std::abs(Moments::of(pilot).mean());
+  return std::isfinite(mean) && mean > 0 ? mean : 1;
 }
 
 Expectation detail::judge(const Site& site, const Trial& trial, const std::string& claim, const Finding& finding,

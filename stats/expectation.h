@@ -67,6 +67,9 @@ namespace detail {
 Expectation judge(const Site& site, const Trial& trial, const std::string& claim, const Finding& finding,
                   const std::vector<double>& sample);
 
+/// The size of a pilot's mean; 1 where that is 0 or not finite, as then the draws themselves show what is wrong.
+double scale_of(const std::vector<double>& pilot);
+
 /// Fills channels from draw(), in order.
 template <class Draw>
 DrawBlock one_by_one(Draw& draw) {
@@ -120,9 +123,7 @@ Expectation expect_agree(const Site& site, A&& a, B&& b, double margin) {
   Generator of_b = generator_for(trial, "b");
   Generator of_pilot = generator_for(trial, "pilot");
   const auto pilot = detail::sample_of([&] { return static_cast<double>(b(of_pilot)); });
-  const double mean = std::abs(Moments::of(pilot).mean());
-  const double scale =
-      std::isfinite(mean) && mean > 0 ? mean : 1;  // else the draws themselves will show what is wrong
+  const double scale = detail::scale_of(pilot);
   const Finding finding =
       sequential_welch_test(trial, scale, [&](std::uint64_t, std::vector<std::vector<double>>& channels) {
         for (double& x : channels[0]) x = static_cast<double>(a(of_a));

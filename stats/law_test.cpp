@@ -134,6 +134,25 @@ CellTails cell_tails(std::uint64_t count, double draws, double probability) {
   return {cdf(law, k), k > 0 ? cdf(complement(law, k - 1)) : 1};
 }
 
+std::size_t LawCells::index(const Eigen::Vector2d& place) const {
+  const auto cut = [](double x, int n) {
+    if (!(x >= 0 && x <= 1))
+      throw std::out_of_range("a place outside the unit square (check its coordinates first)");
+    return static_cast<std::size_t>(std::min(static_cast<int>(x * n), n - 1));
+  };
+  return cut(place.x(), rows) * static_cast<std::size_t>(columns) + cut(place.y(), columns);
+}
+
+void check_place(std::uint64_t i, const Eigen::Vector2d& place) {
+  for (double x : place) {
+    if (!(x >= 0 && x <= 1)) throw BadDraw(i, x, "the coordinate of a point outside the domain");
+  }
+}
+
+void check_density_of_draw(std::uint64_t i, double density) {
+  if (!(density > 0 && std::isfinite(density))) throw BadDraw(i, density, "the density where it fell");
+}
+
 double checked_density(double value, double s, double t) {
   if (value >= 0 && std::isfinite(value)) return value;
   throw std::domain_error("the density is " + std::to_string(value) + " at (" + std::to_string(s) + ", " +
@@ -176,6 +195,8 @@ Finding test_counts(const Trial& trial, const LawCells& cells, const CountMore& 
     return look_until_decided(trial, cells, looks, count);
   } catch (const BadDraw& bad) {
     return refuted(trial, bad.what());
+  } catch (const NoMoreDraws& spent) {
+    return undecided(trial, spent.what());
   } catch (const detail::ToldToEnd&) {
     return undecided(trial, told_to_end);
   }

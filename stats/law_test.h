@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -20,20 +19,18 @@ struct LawCells {
   std::vector<double> probabilities;
   double error;  ///< of their sum, as the quadrature states it
 
-  std::size_t index(const Eigen::Vector2d& place) const {
-    const auto cut = [](double x, int n) {
-      return static_cast<std::size_t>(std::min(static_cast<int>(x * n), n - 1));
-    };
-    return cut(place.x(), rows) * static_cast<std::size_t>(columns) + cut(place.y(), columns);
-  }
+  /// The cell of a place. Throws std::out_of_range unless both of its coordinates are in [0,1].
+  std::size_t index(const Eigen::Vector2d& place) const;
 };
 
-/// Throws BadDraw unless both coordinates of draw `i` are in [0,1]: a not-a-number is not.
-inline void check_place(std::uint64_t i, const Eigen::Vector2d& place) {
-  for (double x : place) {
-    if (!(x >= 0 && x <= 1)) throw BadDraw(i, x, "the coordinate of a point outside the domain");
-  }
-}
+/// What is decided about numbers that may be NaN or infinite is decided in the library: it is never compiled with
+/// -ffast-math, which would leave such decisions out of templates that a user compiles with it.
+
+/// Throws BadDraw unless both coordinates of draw `i` are in [0,1]. A NaN is not.
+void check_place(std::uint64_t i, const Eigen::Vector2d& place);
+
+/// Throws BadDraw unless the density where draw `i` fell is positive and finite.
+void check_density_of_draw(std::uint64_t i, double density);
 
 /// A density's value, as it is. Throws std::domain_error where it is negative or not finite, saying where.
 double checked_density(double value, double s, double t);
@@ -117,8 +114,7 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
         if (!goes_on(trial, done)) throw detail::ToldToEnd();
       }
       const auto x = draw(i);
-      const double density = pdf(x);
-      if (!(density > 0 && std::isfinite(density))) throw BadDraw(i, density, "the density where it fell");
+      check_density_of_draw(i, pdf(x));
       const Eigen::Vector2d place = detail::place_of_cell(domain, x);
       check_place(i, place);
       ++counts[cells.index(place)];

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -36,21 +35,6 @@ Finding test_replicates(const Trial& trial, double mean, Replicate&& replicate) 
 /// The exponent e of variance ~ n^-e by least squares on logarithms: 1 for independent draws, up to 3 for scrambled
 /// nets on smooth integrands. Pairs of (points in a replicate, variance between replicates); at least two, all
 /// positive, or throws std::invalid_argument.
-inline double convergence_exponent(std::span<const std::pair<double, double>> variances) {
-  if (variances.size() < 2) throw std::invalid_argument("an exponent needs at least two sizes");
-  double x = 0;
-  double y = 0;
-  double xx = 0;
-  double xy = 0;
-  for (const auto& [n, variance] : variances) {
-    if (!(n > 0 && variance > 0)) throw std::invalid_argument("sizes and variances must be positive");
-    x += std::log(n);
-    y += std::log(variance);
-    xx += std::log(n) * std::log(n);
-    xy += std::log(n) * std::log(variance);
-  }
-  const auto count = static_cast<double>(variances.size());
-  return -(count * xy - x * y) / (count * xx - x * x);
-}
+double convergence_exponent(std::span<const std::pair<double, double>> variances);
 
 }  // namespace fairlight

@@ -130,6 +130,8 @@ Rosenblatt::Pieces Rosenblatt::interpolated(const Slab& slab, double x) {
 
 // In a slab, the cubic that has its mass and, at its ends, its marginal (Hermite).
 Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
+  if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
+    throw std::out_of_range("a place outside the unit square (check its coordinates first)");
   const int knot = std::min(static_cast<int>(s * knots), knots - 1);
   const Slab& slab = slabs_[static_cast<std::size_t>(knot)];
   const double x = s * knots - knot;

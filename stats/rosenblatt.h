@@ -23,6 +23,7 @@ class Rosenblatt {
   /// Throws std::invalid_argument when the density does not integrate to one within 1e-6.
   explicit Rosenblatt(SquareDensity density);
 
+  /// Throws std::out_of_range unless s and t are in [0,1].
   Eigen::Vector2d operator()(double s, double t) const;
 
   static constexpr std::size_t nodes = 8;   ///< of a slab between two knots

@@ -82,8 +82,7 @@ Finding check_sets(const Trial& trial, const std::vector<Reference>& references,
   };
   return test_means(trial, rounded_references<Real>(references),
                     draws_at_once(lanes<Real>, references.size(), [&](std::uint64_t first, const auto& places) {
-                      if ((first + lanes<Real>) >> 32 != 0)
-                        throw NoMoreDraws("sets have run out (there are 2^32 of one key)");
+                      number_in_key(first + lanes<Real> - 1, "sets");
                       store_lanes(means(first), places[0]);
                     }));
 }

@@ -22,8 +22,7 @@ struct Contender {
 /// The mean of an estimator over the points of one replicate of a set in double.
 template <PointSet Set, class Draw>
 double replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
-  if (replicate >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
-  const Set set(key, static_cast<std::uint32_t>(replicate), n);
+  const Set set(key, number_in_key(replicate, "replicates"), n);
   double sum = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     auto source = set.source(i);

@@ -26,6 +26,9 @@ TEST(PixelGrid, HasAPixel) {
   EXPECT_EQ(PixelGrid(3, 2).size(), 6u);
   EXPECT_THROW(PixelGrid(0, 2), std::invalid_argument);
   EXPECT_THROW(PixelGrid(3, 0), std::invalid_argument);
+  EXPECT_EQ(PixelGrid(65537, 65535).size(), 0xFFFFFFFFu);
+  EXPECT_THROW(PixelGrid(65536, 65536), std::invalid_argument);
+  EXPECT_THROW(PixelGrid(std::size_t{1} << 33, std::size_t{1} << 33), std::invalid_argument);
 }
 
 TEST(ShareOut, IsInProportionBeyondTheLeast) {

@@ -79,6 +79,23 @@ TEST(PixelPointSets, RefuseTheNumbersOfAnotherPixel) {
   const auto draws = set_draws<Stratified<double>>(0, 10);
   EXPECT_NO_THROW(draws(2, 6, 4));
   EXPECT_THROW(draws(2, 7, 4), std::length_error);
+  EXPECT_THROW(draws(2, ~std::uint64_t{0}, 4), std::length_error) << "the sum of both is small again";
+}
+
+// Units and replicates have 32 bits: those beyond would be the first again.
+TEST(PixelDraws, RefuseAPixelWithoutAUnitOfItsOwn) {
+  const auto draws = stream_draws<double>(0xFFFFFFFEu);
+  EXPECT_NO_THROW(draws(1, 0, 1));
+  EXPECT_THROW(draws(2, 0, 1), std::length_error);
+  EXPECT_THROW(stream_draws<double>(0)(std::size_t{1} << 32, 0, 1), std::length_error);
+}
+
+TEST(PixelPointSets, RefuseAPixelWithoutAReplicateOfItsOwn) {
+  const auto draws = set_draws<Stratified<double>>(0, 1u << 31);
+  EXPECT_NO_THROW(draws(1, (1u << 31) - 4, 4));
+  EXPECT_THROW(draws(2, 0, 4), std::length_error) << "2 x 2^31";
+  EXPECT_THROW(set_draws<Stratified<double>>(0xFFFFFFFFu, 1)(1, 0, 1), std::length_error);
+  EXPECT_THROW(set_draws<Stratified<double>>(0, 1)(std::size_t{1} << 32, 0, 1), std::length_error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfStringAttribute.h>
 #include <gtest/gtest.h>
+#include <support/small_picture.h>
 #include <support/temporary_folder.h>
 
 #include <fairlight/render/picture.h>
@@ -13,23 +14,9 @@ namespace fairlight {
 namespace {
 
 using testing::read_file;
+using testing::small_picture;
 using testing::TemporaryFolder;
 using testing::write_file;
-
-Picture small_picture(std::uint64_t first = 0) {
-  RenderSettings settings;
-  settings.width = 5;
-  settings.height = 3;
-  Picture picture{settings, {}, Film(5, 3)};
-  picture.samples.add(42, {first, first + 2});
-  for (int y = 0; y < 3; ++y) {
-    for (int x = 0; x < 5; ++x) {
-      picture.film.add(x, y, {0.1 * x, 1e6 * y, 1e-6});
-      picture.film.add(x, y, {0.3 * x, 1e6 * y, 1e-6});
-    }
-  }
-  return picture;
-}
 
 TEST(Picture, IsReadAsItWasWritten) {
   const TemporaryFolder folder;
@@ -50,7 +37,7 @@ TEST(Picture, ShowsRadianceErrorAndSamplesToOtherPrograms) {
   for (const char* name : {"R", "G", "B", "error.R", "error.G", "error.B", "samples.N"}) {
     EXPECT_NE(channels.findChannel(name), nullptr) << name;
   }
-  for (const char* name : {"scene", "settings", "seed", "version"}) {
+  for (const char* name : {"scene", "settings", "seed", "version", "checksum"}) {
     EXPECT_NE(file.header(0).findTypedAttribute<Imf::StringAttribute>(std::string("fairlight.") + name), nullptr)
         << name;
   }

@@ -30,6 +30,15 @@ TEST(SampleLedger, RefusesToCountASampleTwice) {
   EXPECT_THROW(ledger.add(1, {50, 50}), std::invalid_argument);
 }
 
+TEST(SampleLedger, RefusesMoreSamplesThanItCounts) {
+  constexpr std::uint64_t half = std::uint64_t{1} << 63;
+  SampleLedger ledger;
+  ledger.add(1, {0, half});
+  ledger.add(2, {0, half - 1});
+  EXPECT_EQ(ledger.total(), 2 * half - 1);
+  EXPECT_THROW(ledger.add(3, {0, 1}), std::invalid_argument);
+}
+
 TEST(SampleLedger, KnowsItsOnlySeed) {
   SampleLedger ledger;
   ledger.add(7, {0, 1});

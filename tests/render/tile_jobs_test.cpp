@@ -74,6 +74,12 @@ RC_GTEST_PROP(TileJobs, AreEachGivenOnce, ()) {
   expect_each_once<Packet>();
 }
 
+TEST(TileJobs, RefuseMoreThanTheirNumbersHold) {
+  EXPECT_NO_THROW((TileJobs<double>(tile, 0xFFFFFFFDu, 3, 10)));
+  EXPECT_THROW((TileJobs<double>(tile, 0xFFFFFFFEu, 3, 10)), std::length_error) << "sample 2^32";
+  EXPECT_THROW((TileJobs<double>(tile, 0, 1u << 31, 10)), std::length_error) << "6 x 2^31 jobs";
+}
+
 TEST(TileJobs, KeepWhatTheOtherLanesHave) {
   TileJobs<Packet> jobs(tile, first_sample, samples, 10);
   Ray<Packet> ray{Vec3<Packet>::Constant(Packet(-7)), Vec3<Packet>::Constant(Packet(-7)), Packet(-1)};

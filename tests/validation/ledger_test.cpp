@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <support/temporary_folder.h>
 
+#include <fairlight/stats/hash.h>
 #include <fairlight/validation/ledger/ledger.h>
 #include <fairlight/validation/ledger/ledger_text.h>
-#include <fairlight/validation/provenance/hash.h>
 
 namespace fairlight {
 namespace {

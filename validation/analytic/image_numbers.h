@@ -8,8 +8,8 @@ namespace fairlight {
 /// Where whole images take their numbers from: `draws(key, pixels, r)` is what image r draws with, from streams or sets
 /// of its own. It also says how the rows of such images differ from those of the others.
 
-/// Where the numbers of image r are, each with so many units or replicates: 32 bits hold those of some images, and as many more
-/// have the next key.
+/// Where the numbers of image r are, each with so many units or replicates, at most 2^32: 32 bits hold those of some images,
+/// and as many more have the next key. Throws NoMoreDraws beyond the last key.
 struct ImagePlace {
   ImagePlace(const StreamKey& purpose, std::uint64_t r, std::uint64_t each)
       : ImagePlace(purpose, r, each, (std::uint64_t{1} << 32) / each) {}
@@ -19,7 +19,7 @@ struct ImagePlace {
 
  private:
   ImagePlace(const StreamKey& purpose, std::uint64_t r, std::uint64_t each, std::uint64_t images_of_key)
-      : key(purpose.further(static_cast<std::uint32_t>(r / images_of_key))),
+      : key(purpose.further(number_in_key(r / images_of_key, "keys"))),
         first(static_cast<std::uint32_t>(r % images_of_key * each)) {}
 };
 

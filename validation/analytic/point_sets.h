@@ -16,7 +16,7 @@ enum class Dimensions { of_one_pair, of_two_pairs };
 
 template <template <class> class Set, class Real>
 Vec2<double> two_dimensions(const StreamKey& key, std::uint64_t i, Dimensions which) {
-  const Set<Real> set(key, static_cast<std::uint32_t>(i), points_a_replicate);
+  const Set<Real> set(key, number_in_key(i, "replicates"), points_a_replicate);
   const auto points = point_numbers<Real>(static_cast<std::uint32_t>(i % set.size()), set.size());
   const auto lane = static_cast<std::size_t>(i / set.size()) % lanes<Real>;
   const auto k = static_cast<std::uint32_t>(i % 37);
@@ -78,7 +78,7 @@ Claim replicates_uncorrelated_claim(const PointSetKind<Set>& kind) {
             const StreamKey key(trial.seed, trial.claim);
             return test_uncorrelated(trial, {0.5, 0.5}, 0.5, 1.0 / 12, [&](std::uint64_t i) {
               const auto number = [&](std::uint64_t replicate) {
-                const Set<double> set(key, static_cast<std::uint32_t>(replicate), points_a_replicate);
+                const Set<double> set(key, number_in_key(replicate, "replicates"), points_a_replicate);
                 const auto point = static_cast<std::uint32_t>(i % set.size());
                 return set.pair(point, static_cast<std::uint32_t>(i % 37))[i / set.size() % 2];
               };

@@ -2,6 +2,7 @@
 
 #include <fairlight/estimators/vertex_source.h>
 #include <fairlight/stats/second_order.h>
+#include <fairlight/validation/checks.h>
 #include <fairlight/validation/claim.h>
 
 namespace fairlight {
@@ -28,7 +29,7 @@ Claim streams_uncorrelated_claim() {
               const auto which = i % 3;
               const auto number = [&](std::uint32_t other) {
                 // The path goes on with the pixel: where pixels were forgotten, the numbers would else be the same ones for ever.
-                const auto base = static_cast<std::uint32_t>(2 * i);
+                const std::uint32_t base = number_in_key(2 * i, "pixels");
                 return Numbers::of(key, base + (which == 0 ? other : 0), base + (which == 1 ? other : 0),
                                    which == 2 ? other : 0)[i / 3 % 5];
               };

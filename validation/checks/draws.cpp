@@ -145,8 +145,7 @@ DrawBlock replicate_draws(std::shared_ptr<PointNumbers<Real>> numbers, std::shar
     throw std::invalid_argument("a replicate must fill whole packets (give a multiple of lanes)");
   return [=](std::uint64_t first, std::vector<std::vector<double>>& channels) {
     for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      if ((first + i) >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
-      numbers->begin(key, static_cast<std::uint32_t>(first + i), n);
+      numbers->begin(key, number_in_key(first + i, "replicates"), n);
       const std::vector<double> means = replicate_mean(*numbers, *body, first + i, references, n);
       for (std::size_t c = 0; c < channels.size(); ++c) channels[c][i] = means[c];
     }

@@ -6,12 +6,22 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fairlight/estimators/point_set.h>
 #include <fairlight/estimators/stream.h>
+#include <fairlight/stats/betting_test.h>
 
 namespace fairlight {
+
+/// The number of a draw as that of a replicate, a set or a pixel, `what`, of which a key has 2^32. Throws NoMoreDraws
+/// beyond.
+inline std::uint32_t number_in_key(std::uint64_t i, const char* what) {
+  if (i >> 32 != 0) throw NoMoreDraws(std::string(what) + " have run out (there are 2^32 of one key)");
+  return static_cast<std::uint32_t>(i);
+}
 
 /// The numbers of a sample (of a packet of samples, one a lane), dimension after dimension. A number is
 /// made when it is first asked for, and kept, so that several sources can give the same numbers.

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include <fairlight/estimators/sobol.h>
-#include <fairlight/stats/betting_test.h>
+#include <fairlight/validation/checks/numbers.h>
 #include <fairlight/validation/checks/pairs.h>
 
 namespace fairlight {
@@ -65,8 +65,7 @@ Pairs<Real> point_pairs(const StreamKey& key, std::uint32_t n) {
   if (n % lanes<Real> != 0)
     throw std::invalid_argument("a replicate must fill whole packets (give a multiple of lanes)");
   return [key, n](std::uint64_t i) {
-    if (i / n >> 32 != 0) throw NoMoreDraws("replicates have run out (there are 2^32 of one key)");
-    const OwenSobol<Real> set(key, static_cast<std::uint32_t>(i / n), n);
+    const OwenSobol<Real> set(key, number_in_key(i / n, "replicates"), n);
     return pair_of(set.source(static_cast<std::uint32_t>(i % n)));
   };
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -9,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fairlight/render/file_lock.h>
 #include <fairlight/validation/ledger/ledger.h>
 #include <fairlight/validation/ledger/ledger_text.h>
 
@@ -21,30 +21,15 @@ constexpr std::string_view torn_end = " torn\n";
 // A file that is open and locked until the end of its scope.
 class LockedFile {
  public:
-  LockedFile(const std::string& path, int flags)
-      : path_(path), file_(open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666)) {}
-  ~LockedFile() {
-    if (file_ >= 0) close(file_);
-  }
-  LockedFile(const LockedFile&) = delete;
-  LockedFile& operator=(const LockedFile&) = delete;
-
-  off_t size() const { return size_; }
-
-  void lock(int kind, const char* to_do) {
-    if (file_ < 0) fail(to_do);
-    while (flock(file_, kind) != 0) {
-      if (errno != EINTR) fail("lock");
-    }
+  LockedFile(const std::string& path, int flags, int kind, const char* to_do) : lock_(path, flags, to_do) {
+    lock_.lock(kind);
     struct stat status {};
-    if (fstat(file_, &status) != 0) fail(to_do);
-    if (!S_ISREG(status.st_mode)) throw std::runtime_error("\"" + path_ + "\" is not a ledger (it is not a file)");
+    if (fstat(file_, &status) != 0) lock_.fail(to_do);
+    if (!S_ISREG(status.st_mode)) throw std::runtime_error("\"" + path + "\" is not a ledger (it is not a file)");
     size_ = status.st_size;
   }
 
-  [[noreturn]] void fail(const char* doing) const {
-    throw std::runtime_error(std::string("cannot ") + doing + " \"" + path_ + "\" (" + std::strerror(errno) + ")");
-  }
+  off_t size() const { return size_; }
 
   std::string read(off_t from, off_t length) const {
     std::string bytes(static_cast<std::size_t>(length), '\0');
@@ -52,7 +37,7 @@ class LockedFile {
     while (done < bytes.size()) {
       const ssize_t n = pread(file_, bytes.data() + done, bytes.size() - done, from + static_cast<off_t>(done));
       if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail("read");
+      if (n < 0) lock_.fail("read");
       if (n == 0) break;
       done += static_cast<std::size_t>(n);
     }
@@ -68,7 +53,7 @@ class LockedFile {
       if (n < 0) take_back();
       bytes.remove_prefix(static_cast<std::size_t>(n));
     }
-    if (fsync(file_) != 0) fail("write");
+    if (fsync(file_) != 0) lock_.fail("write");
   }
 
  private:
@@ -76,11 +61,11 @@ class LockedFile {
     const int error = errno;
     [[maybe_unused]] const int ignored = ftruncate(file_, size_);
     errno = error;
-    fail("write");
+    lock_.fail("write");
   }
 
-  std::string path_;
-  int file_;
+  FileLock lock_;
+  int file_ = lock_.descriptor();
   off_t size_ = 0;
 };
 
@@ -100,8 +85,7 @@ void check_header(const std::string& path, std::string_view beginning) {
 }  // namespace
 
 void Ledger::add_file(const std::string& path) {
-  LockedFile file(path, O_RDONLY);
-  file.lock(LOCK_SH, "read");
+  const LockedFile file(path, O_RDONLY, LOCK_SH, "read");
   const std::string bytes = file.read(0, file.size());
   check_header(path, bytes);
   torn_ = false;
@@ -149,8 +133,7 @@ void Ledger::add(const LedgerEntry& later) {
 }
 
 void Ledger::append(const std::string& path, const std::vector<LedgerEntry>& entries) {
-  LockedFile file(path, O_RDWR | O_APPEND | O_CREAT);
-  file.lock(LOCK_EX, "write");
+  LockedFile file(path, O_RDWR | O_APPEND | O_CREAT, LOCK_EX, "write");
   check_header(path, file.read(0, static_cast<off_t>(ledger_header.size())));
   std::string bytes(file.size() == 0 ? ledger_header : "");
   if (file.size() > 0 && file.read(file.size() - 1, 1) != "\n") bytes += torn_end;

@@ -2,7 +2,7 @@
 
 #include <fairlight/render/whole_file.h>
 #include <fairlight/validation/ledger/ledger_run.h>
-#include <fairlight/validation/provenance/hash.h>
+#include <fairlight/stats/hash.h>
 
 namespace fairlight {
 namespace {

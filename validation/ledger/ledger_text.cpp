@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fairlight/stats/hash.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/ledger/ledger_text.h>
-#include <fairlight/validation/provenance/hash.h>
 
 namespace fairlight {
 namespace {

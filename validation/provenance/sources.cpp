@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include <fairlight/render/whole_file.h>
-#include <fairlight/validation/provenance/hash.h>
+#include <fairlight/stats/hash.h>
 #include <fairlight/validation/provenance/sources.h>
 #include <fairlight/validation/provenance/subprocess.h>
 
