@@ -19,11 +19,17 @@ inline constexpr double longest = in_floats<Real> ? 1e10 : 1e75;
 
 namespace detail {
 
-/// Throws std::invalid_argument unless `x`, called `what`, is in [1 / most, most], which `range` puts in words.
+/// Throws std::invalid_argument. It stands apart, and is one for each Real, so that what checks is short enough for a loop over
+/// shadow rays.
+template <class Real>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse(const char* what, const char* range) {
+  throw std::invalid_argument(std::string(what) + range);
+}
+
+/// Refuses `x`, called `what`, unless it is in [1 / most, most], which `range` puts in words.
 template <class Real>
 void require_within(const Real& x, double most, const char* what, const char* range) {
-  if (all(x >= rounded<Real>(1 / most) && x <= rounded<Real>(most))) return;
-  throw std::invalid_argument(std::string(what) + " must be positive and finite, " + range);
+  if (!all(x >= rounded<Real>(1 / most) && x <= rounded<Real>(most))) refuse<Real>(what, range);
 }
 
 }  // namespace detail
@@ -32,7 +38,8 @@ void require_within(const Real& x, double most, const char* what, const char* ra
 template <class Real>
 void require_length(const Real& x, const char* what) {
   detail::require_within(x, longest<Real>, what,
-                         "in floats from 1e-10 to 1e10 m, in double from 1e-75 to 1e75 m (scale the scene)");
+                         " must be positive and finite, in floats from 1e-10 to 1e10 m, in double from 1e-75 to "
+                         "1e75 m (scale the scene)");
 }
 
 /// The same for a place.
@@ -41,22 +48,22 @@ void require_place(const Vec3<Real>& v, const char* what) {
   using std::abs;
   const Real far = rounded<Real>(longest<Real>);
   if (all(Real(abs(v.x())) <= far && Real(abs(v.y())) <= far && Real(abs(v.z())) <= far)) return;
-  throw std::invalid_argument(
-      std::string(what) +
-      " must be finite, in floats within 1e10 m of the origin, in double within 1e75 m (scale the scene)");
+  detail::refuse<Real>(
+      what, " must be finite, in floats within 1e10 m of the origin, in double within 1e75 m (scale the scene)");
 }
 
 /// The same for the radius of an aperture [m], whose square alone is needed.
 template <class Real>
 void require_aperture(const Real& radius) {
   detail::require_within(radius, in_floats<Real> ? 1e18 : 1e150, "an aperture's radius",
-                         "in floats from 1e-18 to 1e18 m, in double from 1e-150 to 1e150 m (a pinhole has none)");
+                         " must be positive and finite, in floats from 1e-18 to 1e18 m, in double from 1e-150 to "
+                         "1e150 m (a pinhole has none)");
 }
 
 /// The same for the radius of a filter, or its deviation [pixel].
 template <class Real>
 void require_pixels(const Real& x, const char* what) {
-  detail::require_within(x, 1e6, what, "from 1e-6 to 1e6 pixels (it divides)");
+  detail::require_within(x, 1e6, what, " must be positive and finite, from 1e-6 to 1e6 pixels (it divides)");
 }
 
 }  // namespace fairlight

@@ -34,10 +34,10 @@ class SphereView {
         radius_(radius),
         distance_(select(on_surface, radius, Real(offset.norm()))),
         height_(distance_ - radius) {
-    if (all(Real(smallest) * distance_ <= radius)) return;
-    throw std::invalid_argument(
-        "a sphere is smaller than 1e-15 of its distance in floats, or 1e-120 in double (make it larger, or a "
-        "point)");
+    if (!all(Real(smallest) * distance_ <= radius)) {
+      detail::refuse<Real>("a sphere is smaller than 1e-15 of its distance in floats, or 1e-120 in double",
+                           " (make it larger, or a point)");
+    }
   }
 
   Mask<Real> outside() const { return height_ > Real(0); }
