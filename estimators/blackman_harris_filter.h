@@ -1,11 +1,10 @@
 #pragma once
 
 #include <numbers>
-#include <stdexcept>
 
 #include <fairlight/estimators/density.h>
 #include <fairlight/estimators/inversion.h>
-#include <fairlight/estimators/vec.h>
+#include <fairlight/estimators/ranges.h>
 
 namespace fairlight {
 
@@ -15,7 +14,7 @@ namespace fairlight {
 /// Formula  p(x, y) = b(x) b(y), b(x) = (a0 + a1 cos(t) + a2 cos(2 t) + a3 cos(3 t)) / (2 a0 r), t = pi x / r,
 ///          a = 0.35875, 0.48829, 0.14128, 0.01168
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2; the density is 0 elsewhere; r > 0, finite (throws std::invalid_argument otherwise)
+/// Domain   [-r,r]^2; the density is 0 elsewhere; r in [1e-6, 1e6] pixels (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2
 /// Source   Harris 1978, "On the use of windows for harmonic analysis", 4-term, -92 dB
 template <class Real>
@@ -29,8 +28,7 @@ class BlackmanHarrisFilter {
   explicit BlackmanHarrisFilter(Real radius) : radius_(radius) {
     using std::erf;
     using std::erfc;
-    if (!all_positive(radius))
-      throw std::invalid_argument("a Blackman-Harris filter's radius must be positive and finite (it divides)");
+    require_pixels(radius, "a Blackman-Harris filter's radius");
     start_kept_ = erf(Real(1) / start_scale());
     start_cut_ = erfc(Real(1) / start_scale());
   }

@@ -8,7 +8,7 @@ namespace fairlight {
 /// Smooth metal, of complex index eta + i k per channel, relative to the medium above it.
 /// Formula  in = out mirrored; weight = F(out.z, eta, k), by Fresnel's equations
 /// Measure  none: a single direction, whose f and density are 0
-/// Domain   out.z > 0; the weight is 0 elsewhere; eta > 0, k >= 0
+/// Domain   out.z > 0; the weight is 0 elsewhere; eta in (0, 1e6], k in [0, 1e6]
 /// Random   none: u has no dimensions
 /// Source   Born and Wolf, 14.2; PBR 4ed, 9.4
 template <class Real>
@@ -17,13 +17,7 @@ class Conductor : public SingleDirections<Real> {
   static constexpr int dimensions = 0;
 
   /// Throws std::invalid_argument for an index outside its domain.
-  Conductor(const Rgb<Real>& eta, const Rgb<Real>& k) : eta_(eta), k_(k) {
-    for (int c = 0; c < 3; ++c) {
-      if (!all_positive(eta[c]) || !all_nonnegative(k[c]))
-        throw std::invalid_argument(
-            "a conductor's eta must be positive and its k nonnegative (k is how it absorbs, it cannot emit)");
-    }
-  }
+  Conductor(const Rgb<Real>& eta, const Rgb<Real>& k) : eta_(eta), k_(k) { require_conductor(eta, k); }
 
   Rgb<Real> albedo(const Vec3<Real>& out) const {
     const Mask<Real> above = out.z() > Real(0);

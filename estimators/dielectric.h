@@ -16,7 +16,7 @@ enum class Transport {
 /// Formula  eta = index if out.z > 0, else 1/index; with probability F(|out.z|, eta) in = out mirrored and weight = 1;
 ///          else in by Snell's law, and weight = 1/eta^2 for radiance, 1 for importance
 /// Measure  none: single directions, whose f and density are 0
-/// Domain   all unit vectors; index > 0, that of the inside over that of the outside
+/// Domain   all unit vectors; index in [0.1, 10], that of the inside over that of the outside
 /// Random   one number u in [0,1)
 /// Source   PBR 4ed, 9.5; Veach 1997, 5.2 (radiance over eta^2 is what refraction keeps)
 template <class Real, Transport transport = Transport::radiance>
@@ -24,10 +24,13 @@ class Dielectric : public SingleDirections<Real> {
  public:
   static constexpr int dimensions = 1;
 
-  /// Throws std::invalid_argument for an index that is not positive and finite.
+  /// Throws std::invalid_argument for an index outside its domain. Refracted from a medium that is denser by more, the
+  /// direction of a float is no unit vector.
   explicit Dielectric(Real index) : index_(index) {
-    if (!all_positive(index)) {
-      throw std::invalid_argument("an index of refraction must be positive and finite (light has a speed)");
+    if (!all_within(index, 0.1, 10)) {
+      throw std::invalid_argument(
+          "an index of refraction must be positive and finite, from 0.1 to 10 (give that of the "
+          "inside over that of the outside)");
     }
   }
 

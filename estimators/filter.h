@@ -1,16 +1,14 @@
 #pragma once
 
-#include <stdexcept>
-
 #include <fairlight/estimators/density.h>
-#include <fairlight/estimators/vec.h>
+#include <fairlight/estimators/ranges.h>
 
 namespace fairlight {
 
 /// Offsets from a pixel's centre, all alike up to a radius along each axis; half a pixel is the pixel itself.
 /// Formula  p(x, y) = 1 / (4 r^2)
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2; the density is 0 elsewhere; r > 0, finite (throws std::invalid_argument otherwise)
+/// Domain   [-r,r]^2; the density is 0 elsewhere; r in [1e-6, 1e6] pixels (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2
 /// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"
 template <class Real>
@@ -21,10 +19,7 @@ class BoxFilter {
   using Measure = Area;
 
   /// The radius r [pixel].
-  explicit BoxFilter(Real radius = Real(0.5)) : radius_(radius) {
-    if (!all_positive(radius))
-      throw std::invalid_argument("a box filter's radius must be positive and finite (it divides)");
-  }
+  explicit BoxFilter(Real radius = Real(0.5)) : radius_(radius) { require_pixels(radius, "a box filter's radius"); }
 
   Point sample(const Vec2<Real>& u) const {
     return {radius_ * (Real(2) * u.x() - Real(1)), radius_ * (Real(2) * u.y() - Real(1))};

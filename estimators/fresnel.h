@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <stdexcept>
 
 #include <fairlight/estimators/vec.h>
 
@@ -8,8 +9,24 @@ namespace fairlight {
 
 /// Fresnel's equations: the share of unpolarised light that a smooth boundary reflects, in [0,1]. `cosine` is that of the
 /// angle to the normal on the side that the light comes from, in [0,1], to rounding. Outside the domain the share is not a
-/// number, lest a picture hide it.
+/// number, lest a picture hide it. Nor is it above `largest_index`, where floats do not hold the square of a square.
 /// Source   Born and Wolf, Principles of Optics, 1.5 and 14.2; PBR 4ed, 9.3
+
+/// The largest eta or k.
+inline constexpr float largest_index = 1e6f;
+
+/// Throws std::invalid_argument unless eta > 0 and k >= 0 in every channel and lane, and neither is above `largest_index`.
+template <class Real>
+void require_conductor(const Rgb<Real>& eta, const Rgb<Real>& k) {
+  bool inside = true;
+  for (int c = 0; c < 3; ++c) {
+    inside = inside && all_positive(eta[c]) && all_within(eta[c], 0, largest_index) && all_within(k[c], 0, largest_index);
+  }
+  if (inside) return;
+  throw std::invalid_argument(
+      "a conductor's eta must be positive and its k nonnegative, neither above 1e6 (k is how it absorbs, it cannot "
+      "emit)");
+}
 
 namespace detail {
 
@@ -36,7 +53,7 @@ Real share_in_domain(Real cosine, const Mask<Real>& indices, Real share) {
 
 }  // namespace detail
 
-/// Between two insulators (air, glass). `eta` > 0 is the index of refraction on the far side over that on the near side; at
+/// Between two insulators (air, glass). `eta` in (0, 1e6] is the index of refraction on the far side over that on the near side; at
 /// total internal reflection all is reflected, and at eta = 1 nothing is, at any angle.
 /// Formula  F = s^2 (1 + q^2) / 2, where c = cosine, g = eta cos_t, s = (g - c) / (g + c) = (eta^2 - 1) / (g + c)^2 is the
 ///          amplitude polarised across the plane of incidence, and q s = s (c g - sin^2) / (c g + sin^2) that along it
@@ -52,10 +69,10 @@ Real fresnel_dielectric(Real cosine, Real eta) {
   const Real s = (eta - Real(1)) * (eta + Real(1)) / detail::divisor(Real(sum * sum));
   const Real q = (cosine * g - sine_squared) / (cosine * g + sine_squared);
   const Real share = select(refracts, Real(Real(0.5) * s * s * (Real(1) + q * q)), Real(1));
-  return detail::share_in_domain(cosine, eta > Real(0), share);
+  return detail::share_in_domain(cosine, eta > Real(0) && eta <= Real(largest_index), share);
 }
 
-/// From an insulator to a conductor of complex index eta + i k, relative to the insulator's: eta > 0, k >= 0.
+/// From an insulator to a conductor of complex index eta + i k, relative to the insulator's: eta in (0, 1e6], k in [0, 1e6].
 /// Formula  (a + i b)^2 = (eta + i k)^2 - sin^2 and c = cosine give the shares polarised across and along the plane of
 ///          incidence, s = |a + i b - c|^2 / |a + i b + c|^2, p = s |c (a + i b) - sin^2|^2 / |c (a + i b) + sin^2|^2;
 ///          F = (s + p) / 2
@@ -79,7 +96,9 @@ Real fresnel_conductor(Real cosine, Real eta, Real k) {
   };
   const Real s = ratio(a, cosine, b_squared);
   const Real p = s * ratio(Real(cosine * a), sine_squared, Real(cosine * cosine * b_squared));
-  return detail::share_in_domain(cosine, eta > Real(0) && k >= Real(0), Real(Real(0.5) * (s + p)));
+  const Real largest(largest_index);
+  const Mask<Real> indices = eta > Real(0) && eta <= largest && k >= Real(0) && k <= largest;
+  return detail::share_in_domain(cosine, indices, Real(Real(0.5) * (s + p)));
 }
 
 /// The same per channel.

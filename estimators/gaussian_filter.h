@@ -4,7 +4,7 @@
 
 #include <fairlight/estimators/density.h>
 #include <fairlight/estimators/inversion.h>
-#include <fairlight/estimators/vec.h>
+#include <fairlight/estimators/ranges.h>
 
 namespace fairlight {
 
@@ -12,7 +12,7 @@ namespace fairlight {
 /// over what is left. The inverse of its distribution function is accurate to the rounding of Real.
 /// Formula  p(x, y) = g(x) g(y), g(x) = exp(-x^2 / (2 s^2)) / (s sqrt(2 pi) erf(r / (s sqrt 2)))
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2; the density is 0 elsewhere; s > 0, 0 < r <= 5 s (throws std::invalid_argument otherwise)
+/// Domain   [-r,r]^2; the density is 0 elsewhere; s and r in [1e-6, 1e6] pixels, r <= 5 s (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2
 /// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"; Giles 2012 for the inverse
 template <class Real>
@@ -27,9 +27,9 @@ class GaussianFilter {
     using std::erf;
     using std::erfc;
     using std::sqrt;
-    if (!all_positive(deviation))
-      throw std::invalid_argument("a Gaussian filter's deviation must be positive and finite (it divides)");
-    if (!all_positive(radius) || !all(radius <= Real(5) * deviation))
+    require_pixels(deviation, "a Gaussian filter's deviation");
+    require_pixels(radius, "a Gaussian filter's radius");
+    if (!all(radius <= Real(5) * deviation))
       throw std::invalid_argument(
           "a Gaussian filter's radius must be in (0, 5] deviations (beyond 5 is less than 6e-7 of it)");
     const Real scale = sqrt(Real(2)) * deviation;

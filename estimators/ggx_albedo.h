@@ -1,9 +1,11 @@
 #pragma once
 
+#include <stdexcept>
 #include <utility>
 
 #include <fairlight/estimators/gauss.h>
 #include <fairlight/estimators/ggx.h>
+#include <fairlight/estimators/ranges.h>
 
 namespace fairlight {
 
@@ -112,9 +114,14 @@ class ReflectingSlopes {
 /// What GGX facets reflect once of the light that falls on them, towards `out` with z > 0: the integral of f z_in over
 /// `in`, the reflectance being a function of the cosine at the facet, to a number or a colour. To 2e-6, for any
 /// roughness in [1e-4, 1] and heights down to 1e-6; to 1e-8 for one roughness and out.y = 0; floats add some 1e-6. It
-/// takes 6144 nodes: not for every bounce.
+/// takes 6144 nodes: not for every bounce. Throws std::invalid_argument below 1e-6 in floats, 1e-10 in double.
 template <class Real, class Facets, class Reflectance>
 auto ggx_albedo(const Facets& facets, const Vec3<Real>& out, const Reflectance& reflectance) {
+  if (!all(out.z() >= rounded<Real>(in_floats<Real> ? 1e-6 : 1e-10))) {
+    throw std::invalid_argument(
+        "an albedo of facets is not known at grazing angles (give a direction with z of at least 1e-6 in floats, "
+        "1e-10 in double)");
+  }
   return detail::ReflectingSlopes<Real, Facets, Reflectance>(facets, out, reflectance).albedo();
 }
 

@@ -8,7 +8,7 @@
 
 namespace fairlight {
 
-/// Of the light that white isotropic GGX facets get from the height z > 0, the part that their first reflection does
+/// Of the light that white isotropic GGX facets get from the height z >= 1e-10, the part that their first reflection does
 /// not send back: 1 - E(z), to 1e-8 for any roughness in [1e-4, 1].
 inline double ggx_loss(double alpha, double z) {
   const Vec3<double> out(std::sqrt((1 - z) * (1 + z)), 0, z);

@@ -14,7 +14,7 @@ namespace fairlight {
 /// Formula  f = albedo (n + 2) / (2 pi) cos^n(alpha), without the cosine; 0 from 90 degrees on; sampled by Directions
 /// Measure  f in 1/sr; the density is that of Directions, in solid angle
 /// Domain   out and in with z > 0; f is 0 elsewhere: draws below the surface have their density, and weigh nothing.
-///          n >= 0; albedo in [0,1] per channel
+///          n in [0, 1e8]; albedo in [0,1] per channel
 /// Random   u in [0,1)^2
 /// Source   Lafortune and Willems 1994; the paper, 3.1
 template <class Real, template <class> class Directions = PowerCosineLobe>
@@ -29,7 +29,7 @@ class Glossy {
     static_cast<void>(lobe({Real(0), Real(0), Real(1)}));
   }
 
-  /// To 1e-11 of it, or a few ulp of Real if that is more, for any exponent up to 1e8.
+  /// To 1e-11 of it, or a few ulp of Real if that is more.
   ///
   /// In the angles eta from the plane of the normal and the mirror direction, and phi within it from the latter, the
   /// integrand is (n + 2) / (2 pi) cos^(n + 2)(eta) times cos^n(phi) cos(phi - theta), and in is above the surface where

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <fairlight/estimators/density.h>
-#include <fairlight/estimators/vec.h>
+#include <fairlight/estimators/ranges.h>
 
 namespace fairlight {
 
@@ -20,7 +20,8 @@ inline constexpr Lane<Real> inside_rim = 1 - 8 * ulp<Real>;
 /// Points of a round opening, by the concentric map: neighbours on the square stay neighbours on the disk.
 /// Formula  p(x) = 1 / (pi R^2)
 /// Measure  area [1/m^2]
-/// Domain   the disk |x| <= R; the density is 0 elsewhere; R > 0, finite (throws std::invalid_argument otherwise)
+/// Domain   the disk |x| <= R; the density is 0 elsewhere; R in [1e-18, 1e18] m in
+///          floats, in [1e-150, 1e150] m in double (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2
 /// Source   Shirley and Chiu 1997, "A low distortion map between disk and square"
 template <class Real>
@@ -31,9 +32,7 @@ class CircularAperture {
   using Measure = Area;
 
   /// The radius R [m].
-  explicit CircularAperture(Real radius) : radius_(radius) {
-    require_positive(radius, "an aperture's radius", "a pinhole has none");
-  }
+  explicit CircularAperture(Real radius) : radius_(radius) { require_aperture(radius); }
 
   Point sample(const Vec2<Real>& u) const {
     using std::abs;
@@ -64,8 +63,8 @@ class CircularAperture {
 /// point of it: what is left of the first number gives the distance from the centre, the second the place along the blade.
 /// Formula  p(x) = 1 / (n/2 R^2 sin(2 pi / n))
 /// Measure  area [1/m^2]
-/// Domain   the polygon whose corners are at distance R; the density is 0 elsewhere; n >= 3; R > 0, finite (throws
-///          std::invalid_argument otherwise)
+/// Domain   the polygon whose corners are at distance R; the density is 0 elsewhere; n >= 3; R as for
+///          CircularAperture (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2
 /// Source   Turk 1990, "Generating random points in triangles"; Pharr, Jakob, Humphreys, PBR 4ed, 5.4
 template <class Real>
@@ -79,7 +78,7 @@ class PolygonalAperture {
   PolygonalAperture(Real radius, int blades, Real rotation = Real(0)) : blades_(blades), rotation_(rotation) {
     using std::cos;
     using std::sin;
-    require_positive(radius, "an aperture's radius", "a pinhole has none");
+    require_aperture(radius);
     if (blades < 3) throw std::invalid_argument("an aperture needs three blades or more (or none, and is round)");
     if (!all_finite(rotation))
       throw std::invalid_argument("an aperture's rotation must be finite (it is an angle)");

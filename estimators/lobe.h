@@ -23,10 +23,10 @@ class PowerCosineLobe {
   using Point = Vec3<Real>;
   using Measure = SolidAngle;
 
-  /// About a unit vector; exponent n >= 0, finite; throws std::invalid_argument otherwise.
+  /// About a unit vector; exponent n in [0, 1e8]; throws std::invalid_argument otherwise. Sharper lobes floats do not resolve.
   PowerCosineLobe(const Vec3<Real>& axis, Real exponent) : axis_(axis), frame_(axis), exponent_(exponent) {
-    if (!all_nonnegative(exponent)) {
-      throw std::invalid_argument("a lobe's exponent must be nonnegative and finite (its density divides)");
+    if (!all_within(exponent, 0, 1e8)) {
+      throw std::invalid_argument("a lobe's exponent must be nonnegative and finite, at most 1e8 (take a mirror)");
     }
     require_unit(axis, "a lobe's axis");
   }

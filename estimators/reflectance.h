@@ -56,13 +56,8 @@ class SchlickReflectance {
 template <class Real>
 class FresnelReflectance {
  public:
-  /// Throws std::invalid_argument unless eta is positive and k not negative, both finite.
-  FresnelReflectance(const Rgb<Real>& eta, const Rgb<Real>& k) : eta_(eta), k_(k) {
-    for (int c = 0; c < 3; ++c) {
-      if (!all_positive(eta[c]) || !all_nonnegative(k[c]))
-        throw std::invalid_argument("a conductor's eta must be positive, and its k not negative, both finite");
-    }
-  }
+  /// Throws std::invalid_argument for an index outside the domain of fresnel_conductor.
+  FresnelReflectance(const Rgb<Real>& eta, const Rgb<Real>& k) : eta_(eta), k_(k) { require_conductor(eta, k); }
   Rgb<Real> operator()(Real cosine) const { return fresnel_conductor(cosine, eta_, k_); }
 
  private:

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include <fairlight/estimators/bsdf.h>
 #include <fairlight/estimators/ggx_albedo.h>
+#include <fairlight/estimators/ranges.h>
 #include <fairlight/estimators/reflectance.h>
 
 namespace fairlight {
@@ -12,8 +14,8 @@ namespace fairlight {
 /// 69 % at alpha = 1 (docs/estimators.md); EnergyCompensatedConductor gives it back.
 /// Formula  f = D(h) G2(out, in) F(out.h) / (4 z_out z_in), h halfway between out and in; without the cosine
 /// Measure  f in 1/sr; p(in) = G1(out) D(h) / (4 z_out) in solid angle, as visible normals reflect
-/// Domain   directions with z > 0; f and p are 0 elsewhere, so p integrates to the probability that a facet reflects
-///          upwards. Roughness in [1e-4, 1]; Reflectance is F, from the cosine at the facet to an Rgb
+/// Domain   directions with z >= 1e-27 in floats, 1e-290 in double, below which f is no number; f and p are 0 elsewhere, so p
+///          integrates to the probability that a facet reflects upwards. Roughness in [1e-4, 1]; Reflectance is F, from the cosine at the facet to an Rgb
 /// Random   u in [0,1)^2
 /// Source   Walter et al. 2007; Heitz 2018. A bounce weighs F G2/G1 <= F
 template <class Real, class Reflectance = ConstantReflectance<Real>, class Facets = Ggx<Real>,
@@ -26,29 +28,25 @@ class RoughConductor {
   RoughConductor(const Facets& facets, Reflectance reflectance)
       : facets_(facets), reflectance_(std::move(reflectance)) {}
 
-  /// To 2e-6, by quadrature: ggx_albedo.
+  /// To 2e-6, by quadrature; as ggx_albedo, refuses heights below those that it is good for.
   Rgb<Real> albedo(const Vec3<Real>& out) const {
     const Mask<Real> exists = above(out);
     return select(exists, ggx_albedo(facets_, select(exists, out, up()), reflectance_), zero<Rgb<Real>>());
   }
 
-  /// The cosine at the facet is half the length of out + in.
   Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {
     const Mask<Real> both = above(out) && above(in);
     const Vec3<Real> o = select(both, out, up());
     const Vec3<Real> i = select(both, in, up());
-    const Vec3<Real> twice = o + i;
-    const Real length = twice.norm();
-    const Rgb<Real> f =
-        reflectance_(length / Real(2)) * Real(facets_.distribution(twice / length) * facets_.visibility(o, i));
+    const auto [m, cosine] = halfway(o, i);
+    const Rgb<Real> f = reflectance_(cosine) * Real(facets_.distribution(m) * facets_.visibility(o, i));
     return select(both, f, zero<Rgb<Real>>());
   }
 
   Density<SolidAngle, Real> pdf(const Vec3<Real>& out, const Vec3<Real>& in) const {
     const Mask<Real> both = above(out) && above(in);
     const Vec3<Real> o = select(both, out, up());
-    const Vec3<Real> twice = o + select(both, in, up());
-    const Real p = Normals(facets_, o).reflected_pdf(twice / twice.norm()).value();
+    const Real p = Normals(facets_, o).reflected_pdf(halfway(o, select(both, in, up())).normal).value();
     return Density<SolidAngle, Real>(select(both, p, Real(0)));
   }
 
@@ -67,7 +65,25 @@ class RoughConductor {
   }
 
  private:
-  static Mask<Real> above(const Vec3<Real>& w) { return w.z() > Real(0); }
+  static constexpr Lane<Real> lowest = in_floats<Real> ? Lane<Real>(1e-27) : Lane<Real>(1e-290);
+
+  // The facet that reflects one direction to the other, and its cosine to both, which is half the length of their sum. Where
+  // both graze from opposite sides the squares of the sum underflow: it is taken in parts of its largest component.
+  struct Facet {
+    Vec3<Real> normal;
+    Real cosine;
+  };
+  static Facet halfway(const Vec3<Real>& out, const Vec3<Real>& in) {
+    using std::abs;
+    using std::max;
+    const Vec3<Real> sum = out + in;
+    const Real scale = max(Real(max(Real(abs(sum.x())), Real(abs(sum.y())))), sum.z());
+    const Vec3<Real> part = sum * Real(Real(1) / scale);
+    const Real length = part.norm();
+    return {part / length, scale * length / Real(2)};
+  }
+
+  static Mask<Real> above(const Vec3<Real>& w) { return w.z() >= Real(lowest); }
   static Vec3<Real> up() { return {Real(0), Real(0), Real(1)}; }
 
   Facets facets_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fairlight/estimators/ranges.h>
 #include <fairlight/estimators/sphere_directions.h>
 
 namespace fairlight {
@@ -17,10 +18,8 @@ class UniformSphereArea {
   using Point = Vec3<Real>;
   using Measure = Area;
 
-  /// radius > 0 in m, finite; throws std::invalid_argument otherwise.
-  explicit UniformSphereArea(Real radius) : radius_(radius) {
-    require_positive(radius, "a sphere's radius", "its area divides");
-  }
+  /// The radius [m], within the range of `longest`; throws std::invalid_argument otherwise.
+  explicit UniformSphereArea(Real radius) : radius_(radius) { require_length(radius, "a sphere's radius"); }
 
   /// The outward unit normal at the point.
   Point sample(const Vec2<Real>& u) const { return normals_.sample(u); }

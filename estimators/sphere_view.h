@@ -4,6 +4,7 @@
 
 #include <fairlight/estimators/cone.h>
 #include <fairlight/estimators/light_sample.h>
+#include <fairlight/estimators/ranges.h>
 
 namespace fairlight {
 
@@ -13,18 +14,31 @@ namespace fairlight {
 /// Outside (h > 0) the outer face is seen, inside (h < 0) the inner one; at the surface (h = 0) the inner one too,
 /// through the half of all directions that lead inwards. Where a select drops a branch, that may be a NaN.
 /// The height, as the point itself, is known to some ulp of d. From nearer to the surface than that, in floats some cm from a
-/// sphere of 1e5 m, the sphere is seen as from a point as far off, maybe on its other side, unless `on_surface` decides. And of
-/// one that fills an angle of no more than some ulp, the density of a sampled direction may be 0.
+/// sphere of 1e5 m, the sphere is seen as from a point as far off, maybe on its other side, unless `on_surface` decides.
+/// A direction is known to some ulp of 1 rad. One that rounding takes past the rim has a density all the same, else the
+/// weights of multiple importance sampling did not sum to one: the support ends `rim` beyond it, however small the sphere.
 template <class Real>
 class SphereView {
  public:
-  /// The offset leads from the centre to the point [m].
+  /// The smallest r / d. Below it densities are no numbers of Real.
+  static constexpr Lane<Real> smallest = in_floats<Real> ? Lane<Real>(1e-15) : Lane<Real>(1e-120);
+
+  /// By how much a direction may be past the rim [rad]. Half an ulp each for a direction that is rounded, for the offset
+  /// and for the axis, half for what is left across the axis, and as much again for what a ray tracer adds.
+  static constexpr Lane<Real> rim = 4 * ulp<Real>;
+
+  /// The offset leads from the centre to the point [m]. Throws std::invalid_argument where r / d is below `smallest`.
   SphereView(const Vec3<Real>& offset, Real radius, const Mask<Real>& on_surface)
       : offset_(offset),
         frame_(ahead(offset)),
         radius_(radius),
         distance_(select(on_surface, radius, Real(offset.norm()))),
-        height_(distance_ - radius) {}
+        height_(distance_ - radius) {
+    if (!all(Real(smallest) * distance_ <= radius)) {
+      detail::refuse<Real>("a sphere is smaller than 1e-15 of its distance in floats, or 1e-120 in double",
+                           " (make it larger, or a point)");
+    }
+  }
 
   Mask<Real> outside() const { return height_ > Real(0); }
 
@@ -61,21 +75,34 @@ class SphereView {
 
   /// The density of a direction whose point on the sphere is drawn with the given one, which is constant on what is seen;
   /// 0 where the direction does not meet it. Whether it does, the point of its line that is nearest to the centre says: what rounding
-  /// takes it along the line changes its distance but to second order, where a frame's axes would each add theirs.
+  /// takes it along the line changes its distance but to second order, where a frame's axes would each add theirs. Past the
+  /// rim, to rounding, the density is that of a direction as far within, since rounding takes as many either way.
   Density<SolidAngle, Real> over_angle(const Vec3<Real>& direction, Density<Area, Real> density) const {
+    using std::abs;
     using std::sqrt;
     const Real along = -offset_.dot(direction);
-    const Vec3<Real> nearest = offset_ + along * direction;
-    const Real square = select(outside(), Real(radius_ * radius_ - nearest.squaredNorm()), inner_square(along));
-    const Mask<Real> met = square > Real(0) && (along > Real(0) || height_ < Real(0));
+    const Real nearest = Vec3<Real>(offset_ + along * direction).squaredNorm();
+    const Real square = select(outside(), Real(abs(radius_ * radius_ - nearest)), inner_square(along));
+    const Real reach = radius_ + rim * distance_;
+    const Mask<Real> near = nearest <= reach * reach || !outside();
+    const Mask<Real> met = near && square > Real(0) && (along > Real(0) || height_ < Real(0));
     const Real half_chord = sqrt(select(met, square, radius_ * radius_));
     const auto over_angle = to_solid_angle(density, distance(along, half_chord), Real(half_chord / radius_));
     return Density<SolidAngle, Real>(select(met, over_angle.value(), Real(0)));
   }
 
-  /// The density of a direction drawn by within_cone.
+  /// The density of a direction drawn by within_cone; inside the sphere that is every direction. At the angle theta from the
+  /// axis, the square of the chord is 2 (1 - cos(theta)) = 2 sin^2(theta) / (1 + cos(theta)); its own rounding is 8 ulp of it.
   Density<SolidAngle, Real> cone_density(const Vec3<Real>& direction) const {
-    return UniformCone<Real>(cap()).pdf(frame_.to_local(direction));
+    using std::sqrt;
+    const Vec3<Real> axis = ahead(offset_);
+    const Real cosine = axis.dot(direction);
+    const Real sine_squared = Vec3<Real>(direction - cosine * axis).squaredNorm();
+    const Real height = cap();
+    const Real chord = sqrt(Real(2) * height) * Real(1 + 8 * ulp<Real>) + Real(rim);
+    const Mask<Real> near = Real(2) * sine_squared <= chord * chord * (Real(1) + cosine) && cosine > Real(-rim);
+    const Mask<Real> meets = near || height_ < Real(0);
+    return Density<SolidAngle, Real>(select(meets, Real(Real(1) / (Real(2) * pi<Real> * height)), Real(0)));
   }
 
  private:
@@ -119,13 +146,12 @@ class SphereView {
 template <class Real>
 class SphereLight {
  public:
-  /// Centre and radius [m], both finite, radius > 0; throws std::invalid_argument otherwise. `on_surface` says that the points that it
-  /// lights are on the sphere itself, which rounding would put to either side of it.
+  /// Centre and radius [m], within the range of `longest`; throws std::invalid_argument otherwise. `on_surface` says that
+  /// the points that it lights are on the sphere itself, which rounding would put to either side of it.
   SphereLight(const Vec3<Real>& centre, Real radius, const Mask<Real>& on_surface = Mask<Real>(false))
       : centre_(centre), radius_(radius), on_surface_(on_surface) {
-    require_positive(radius, "a sphere's radius", "its area divides");
-    if (!all_finite(centre))
-      throw std::invalid_argument("a sphere's centre must be finite (points on it are drawn)");
+    require_length(radius, "a sphere's radius");
+    require_place(centre, "a sphere's centre");
   }
 
   Real radius() const { return radius_; }

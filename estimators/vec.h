@@ -51,13 +51,6 @@ void require_unit(const Vec3<Real>& v, const char* what) {
   throw std::invalid_argument(std::string(what) + " must be a unit vector (divide it by its length)");
 }
 
-/// Throws std::invalid_argument unless `x`, called `what`, is positive and finite; `why` it must be.
-template <class Real>
-void require_positive(const Real& x, const char* what, const char* why) {
-  if (all_positive(x)) return;
-  throw std::invalid_argument(std::string(what) + " must be positive and finite (" + why + ")");
-}
-
 /// An orthonormal, right-handed frame about a unit normal. The normal is neither checked nor made unit: of one that is too
 /// long by a small part e the frame is off by some e. Its z may be either zero: which of them a negation makes hangs on the instructions.
 /// Source: Duff et al. 2017, "Building an orthonormal basis, revisited".

@@ -73,5 +73,16 @@ RC_GTEST_PROP(BlackmanHarrisFilter, HasTheJacobianOneOverItsDensity, ()) {
 
 TEST(BlackmanHarrisFilter, RefusesARadiusThatIsNone) { testing::expect_radius_refused<BlackmanHarrisFilter>(); }
 
+TEST(BlackmanHarrisFilter, RefusesARadiusThatFloatsDoNotHold) {
+  for (float right : {1e-6f, 1e6f}) {
+    const BlackmanHarrisFilter<float> filter(right);
+    for (const Vec2<float>& u : testing::edge_points<float>()) {
+      const auto density = static_cast<double>(filter.pdf(filter.sample(u)).value());
+      EXPECT_TRUE(density > 0 && std::isfinite(density)) << right << ' ' << u.transpose();
+    }
+  }
+  for (float wrong : {0.9e-6f, 1.1e6f}) EXPECT_THROW(BlackmanHarrisFilter<float>{wrong}, std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

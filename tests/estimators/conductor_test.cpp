@@ -62,5 +62,24 @@ TEST(Conductor, IsTheSameInPackets) {
   }
 }
 
+// Floats do not hold the fourth power of 1e10. At normal incidence F = ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2).
+TEST(Conductor, WantsAnIndexThatFloatsHold) {
+  using Colour = Rgb<float>;
+  for (float large : {1e5f, 1e6f}) {
+    for (const auto& [n, extinction] : {std::pair(large, large), std::pair(1.0f, large), std::pair(large, 0.0f)}) {
+      const Conductor<float> metal(Colour::Constant(n), Colour::Constant(extinction));
+      const double less = n - 1, more = n + 1, square = std::pow(static_cast<double>(extinction), 2);
+      const double expected = (less * less + square) / (more * more + square);
+      EXPECT_NEAR(static_cast<double>(metal.albedo({0, 0, 1})[0]), expected, 4 * static_cast<double>(ulp<float>))
+          << large;
+      EXPECT_TRUE((metal.albedo({1, 0, 1e-30f}) >= 0).all() && (metal.albedo({1, 0, 1e-30f}) <= 1).all()) << large;
+    }
+  }
+  EXPECT_THROW(Conductor<float>(Colour::Constant(1.1e6f), Colour::Ones()), std::invalid_argument);
+  EXPECT_THROW(Conductor<float>(Colour::Ones(), Colour::Constant(1.1e6f)), std::invalid_argument);
+  EXPECT_TRUE(std::isnan(fresnel_conductor(0.5f, 1e10f, 1.0f)));
+  EXPECT_TRUE(std::isnan(fresnel_dielectric(0.5f, 1e10f)));
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -115,5 +115,18 @@ TEST(Dielectric, IsTheSameInPackets) {
   }
 }
 
+// Straight on, the square of the refracted cosine is a difference of which 1e-2 is left, to an ulp: half of 1e2 ulp for the length.
+TEST(Dielectric, RefractsToUnitVectorsOverTheWholeRangeOfItsIndex) {
+  for (float index : {0.1f, 0.25f, 1.0f, 4.0f, 10.0f}) {
+    for (float z : {1.0f, 0.999999f, 0.9999f, -1.0f, -0.999999f, -0.9999f}) {
+      const Vec3<float> out(std::sqrt((1 - z) * (1 + z)), 0, z);
+      const auto bounce = Dielectric<float>(index).sample(out, Eigen::Matrix<float, 1, 1>(1 - 0x1p-24f));
+      EXPECT_LE(std::abs(bounce.in.norm() - 1), 64 * ulp<float>) << index << ' ' << z;
+    }
+  }
+  for (float wrong : {0.09f, 10.1f, 1e-3f, 1e25f})
+    EXPECT_THROW(Dielectric<float>{wrong}, std::invalid_argument) << wrong;
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -49,7 +49,8 @@ RC_GTEST_PROP(GgxLoss, FitsTheQuadrature, ()) {
   const GgxLoss loss(alpha);
   for (double z : {(*direction_above()).z(), (*direction_above()).z(), *unit_number()}) {
     RC_ASSERT(loss(z) >= 0 && loss(z) < 0.7);
-    RC_ASSERT(z == 0 || std::abs(loss(z) - ggx_loss(alpha, z)) <= 1e-5);
+    if (z < 1e-10) continue;  // where the quadrature has no value
+    RC_ASSERT(std::abs(loss(z) - ggx_loss(alpha, z)) <= 1e-5);
   }
 }
 

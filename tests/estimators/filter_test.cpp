@@ -86,5 +86,12 @@ RC_GTEST_PROP(TentFilter, HasTheJacobianOneOverItsDensity, ()) {
   RC_ASSERT(std::abs(wide.prod() * tent.pdf(tent.sample(u)).value() - 1) < 1e-5);
 }
 
+// 1 / (4 r^2) at both ends of the range, and no filter beyond: floats do not hold the square of 1e-30.
+TEST(BoxFilter, RefusesARadiusThatFloatsDoNotHold) {
+  EXPECT_NEAR(static_cast<double>(BoxFilter<float>(1e-6f).pdf({0, 0}).value()) / 2.5e11, 1, 1e-6);
+  EXPECT_NEAR(static_cast<double>(BoxFilter<float>(1e6f).pdf({0, 0}).value()) / 2.5e-13, 1, 1e-6);
+  for (float wrong : {0.9e-6f, 1.1e6f, 1e-30f, 1e30f}) EXPECT_THROW(BoxFilter<float>{wrong}, std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

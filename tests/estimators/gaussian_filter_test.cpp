@@ -91,6 +91,10 @@ TEST(GaussianFilter, RefusesWhatIsNoGaussian) {
   EXPECT_THROW(GaussianFilter<double>(1, std::nan("")), std::invalid_argument);
   EXPECT_THROW(GaussianFilter<double>(1, 5.01), std::invalid_argument);
   EXPECT_THROW(GaussianFilter<Packet>(Packet(1), Packet(6)), std::invalid_argument);
+  EXPECT_THROW(GaussianFilter<float>(0.9e-6f, 1e-6f), std::invalid_argument);
+  EXPECT_THROW(GaussianFilter<float>(1e-6f, 0.9e-6f), std::invalid_argument);
+  EXPECT_THROW(GaussianFilter<float>(1.1e6f, 1), std::invalid_argument);
+  EXPECT_LT(GaussianFilter<float>(1e-6f, 1e-6f).pdf({0, 0}).value(), INFINITY);
 }
 
 }  // namespace

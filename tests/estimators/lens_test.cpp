@@ -128,6 +128,11 @@ TEST(Aperture, RefusesWhatIsNoOpening) {
   EXPECT_THROW(CircularAperture<double>{std::nan("")}, std::invalid_argument);
   EXPECT_THROW(CircularAperture<double>{infinity<double>}, std::invalid_argument);
   EXPECT_THROW(CircularAperture<Packet>{Packet(0)}, std::invalid_argument);
+  EXPECT_THROW(CircularAperture<float>{0.9e-18f}, std::invalid_argument);
+  EXPECT_THROW(CircularAperture<float>{1.1e18f}, std::invalid_argument);
+  EXPECT_THROW(PolygonalAperture<float>(0.9e-18f, 5), std::invalid_argument);
+  EXPECT_LT(CircularAperture<float>{1e-18f}.pdf({0, 0}).value(), INFINITY);
+  EXPECT_GT(CircularAperture<float>{1e18f}.pdf({0, 0}).value(), 0);
   EXPECT_THROW(PolygonalAperture<double>(0, 5), std::invalid_argument);
   EXPECT_THROW(PolygonalAperture<double>(std::nan(""), 5), std::invalid_argument);
   EXPECT_THROW(PolygonalAperture<double>(1, 2), std::invalid_argument);

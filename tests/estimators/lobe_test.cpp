@@ -97,6 +97,8 @@ TEST(PowerCosineLobe, IsTheSameInPackets) {
 TEST(PowerCosineLobe, RefusesAnExponentThatIsNone) {
   EXPECT_THROW(PowerCosineLobe<double>(tilted, -0.1), std::invalid_argument);
   EXPECT_THROW(PowerCosineLobe<double>(tilted, INFINITY), std::invalid_argument);
+  EXPECT_THROW(PowerCosineLobe<float>({0, 0, 1}, 1.1e8f), std::invalid_argument);
+  EXPECT_NO_THROW(PowerCosineLobe<float>({0, 0, 1}, 1e8f));
   EXPECT_THROW(PowerCosineLobe<double>(tilted, std::nan("")), std::invalid_argument);
 }
 

@@ -191,5 +191,56 @@ TEST(RoughConductor, IsTheSameInPackets) {
   }
 }
 
+// At roughness 1, D = 1 / pi: f = F / (2 pi (z_out + z_in)), and p = D / (2 (z + s)), s = 1. From opposite sides the sum of the
+// directions is 2 z long, whose square floats do not hold; and 1e-280, whose square is 0 in double.
+template <class Real>
+void expect_grazing_facets(Real z) {
+  const auto surface = conductor<Real>(1, 1);
+  for (const Vec3<Real>& in : {Vec3<Real>(-1, 0, z), Vec3<Real>(1, 0, z), Vec3<Real>(0, 1, z)}) {
+    const Rgb<Real> f = surface.eval({1, 0, z}, in);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(static_cast<double>(f[c] * z) / (gold[c] / (4 * M_PI)), 1, 8 * static_cast<double>(ulp<Real>));
+    }
+    const auto p = static_cast<double>(surface.pdf({1, 0, z}, in).value());
+    EXPECT_NEAR(p * 2 * M_PI, 1, 8 * static_cast<double>(ulp<Real>));
+  }
+}
+
+TEST(RoughConductor, ReflectsAClosedFormAtGrazingAngles) {
+  for (float z : {1.1e-27f, 1e-25f, 1e-20f, 1e-15f, 1e-10f}) expect_grazing_facets<float>(z);
+  for (double z : {1.1e-290, 1e-200, 1e-150, 1e-20}) expect_grazing_facets<double>(z);
+}
+
+TEST(RoughConductor, HasNumbersAtAnyHeightInFloats) {
+  for (float alpha : {1e-4f, 1e-2f, 1.0f}) {
+    const RoughConductor<float> surface({alpha < 1e-3f ? std::nextafter(1e-4f, 1.0f) : alpha, 1},
+                                        ConstantReflectance<float>(Rgb<float>::Ones()));
+    for (int i = -45; i < 0; ++i) {
+      const auto z = static_cast<float>(std::pow(10.0, i));
+      const Vec3<float> out(std::sqrt(1 - z * z), 0, z);
+      for (int j = -45; j < 0; ++j) {
+        const auto height = static_cast<float>(std::pow(10.0, j));
+        const Vec3<float> in(-std::sqrt(1 - height * height), 0, height);
+        EXPECT_TRUE(surface.eval(out, in).isFinite().all()) << z << ' ' << height;
+        EXPECT_EQ((surface.eval(out, in) > 0).all(), std::min(i, j) >= -27) << z << ' ' << height;
+        EXPECT_EQ(surface.pdf(out, in).value() > 0, std::min(i, j) >= -27) << z << ' ' << height;
+      }
+      for (const Vec2<float>& u : testing::edge_points_float()) {
+        const auto bounce = surface.sample(out, u);
+        EXPECT_TRUE((bounce.weight >= 0).all() && (bounce.weight <= 1 + 8 * ulp<float>).all()) << z;
+        EXPECT_TRUE(std::isfinite(bounce.density.value())) << z;
+      }
+    }
+  }
+}
+
+TEST(RoughConductor, RefusesAnAlbedoAtHeightsBelowThoseThatItKnows) {
+  const auto along = [](double z) { return Vec3<double>(std::sqrt((1 - z) * (1 + z)), 0, z); };
+  EXPECT_NO_THROW(conductor(0.5, 0.5).albedo(along(1e-10)));
+  EXPECT_THROW(conductor(0.5, 0.5).albedo(along(0.9e-10)), std::invalid_argument);
+  EXPECT_NO_THROW(conductor<float>(0.5, 0.5).albedo(along(1e-6).cast<float>()));
+  EXPECT_THROW(conductor<float>(0.5, 0.5).albedo(along(0.9e-6).cast<float>()), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -138,5 +138,26 @@ TEST(SphereLight, RefusesWhatIsNotFinite) {
   EXPECT_THROW(SphereLight<double>({-infinity<double>, 0, 0}, 1), std::invalid_argument);
 }
 
+TEST(SphereLight, RefusesLengthsThatFloatsDoNotHold) {
+  const Vec3<float> centre(0, 0, 0);
+  EXPECT_NO_THROW(SphereLight<float>(centre, 1e-10f));
+  EXPECT_NO_THROW(SphereLight<float>(centre, 1e10f));
+  EXPECT_THROW(SphereLight<float>(centre, 0.9e-10f), std::invalid_argument);
+  EXPECT_THROW(SphereLight<float>(centre, 1.1e10f), std::invalid_argument);
+  EXPECT_THROW(SphereLight<float>({0, -1.1e10f, 0}, 1), std::invalid_argument);
+  EXPECT_THROW(Light(origin, 1e76), std::invalid_argument);
+}
+
+TEST(SphereSampling, RefusesASphereThatIsTooSmallForItsDistance) {
+  const SphereLight<float> sphere({0, 0, 0}, 1);
+  const Vec3<float> far(0, 0, 0.9e15f), too_far(0, 0, 1.1e15f);
+  EXPECT_GT(SphereByCone<float>(sphere).sample(far, {0.5f, 0.5f}).density.value(), 0);
+  EXPECT_LT(SphereByArea<float>(sphere).sample(far, {0.49999997f, 0.5f}).density.value(), INFINITY);
+  EXPECT_THROW(SphereByCone<float>(sphere).sample(too_far, {0.5f, 0.5f}), std::invalid_argument);
+  EXPECT_THROW(SphereByCone<float>(sphere).pdf(too_far, {0, 0, -1}), std::invalid_argument);
+  EXPECT_THROW(SphereByArea<float>(sphere).sample(too_far, {0.5f, 0.5f}), std::invalid_argument);
+  EXPECT_THROW(SphereByVisibleHemisphere<float>(sphere).pdf(too_far, {0, 0, -1}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace fairlight
