@@ -60,7 +60,7 @@ concept AllocationScore = requires(PixelGrid grid, PixelHistories histories) {
   { T::of(grid, histories) } -> std::same_as<std::vector<double>>;
 };
 
-/// Every pixel alike.
+/// Every pixel alike. Source: elementary.
 struct UniformAllocation {
   static constexpr std::uint64_t needs = 0;
   static std::vector<double> of(const PixelGrid& grid, const PixelHistories&) {

@@ -14,7 +14,7 @@ namespace fairlight {
 /// each pixel, `estimator(pixel, source)`, that takes its numbers from a source of its own for every sample.
 
 /// From streams, every sample independent of all others; in packets a lane each. `first_unit` is the unit of pixel
-/// 0, and sets images of one key apart.
+/// 0, and sets images of one key apart. Source: Salmon et al. 2011.
 template <class Real, class PixelEstimator>
 class PixelDraws {
  public:
@@ -42,7 +42,8 @@ class PixelDraws {
 
 /// From point sets, in double: the samples of one call are the n points of a replicate of their own, so that stages
 /// stay independent. Were one sequence continued from stage to stage, its later points would depend on those that
-/// decided how many there are, and no form of allocation would be unbiased.
+/// decided how many there are, and no form of allocation would be unbiased. Source: Owen 1997, "Monte Carlo variance
+/// of scrambled net quadrature" (replicates).
 template <PointSet Set, class PixelEstimator>
 class PixelPointSets {
  public:

@@ -35,6 +35,7 @@ struct CameraSettings {
 };
 
 /// A pinhole or a thin lens. Images are upright, pixel (0, 0) at the top left, pixels square.
+/// Source: PBR 4ed, 5.2.
 class Camera {
  public:
   /// Throws std::invalid_argument for settings that have no picture.

@@ -16,6 +16,8 @@ using ::testing::HasSubstr;
 using testing::includes_up_the_chain;
 using ::testing::IsEmpty;
 using testing::missing_tests_of_bad_input;
+using testing::sections_without_component;
+using testing::stale_non_components;
 using testing::TemporaryFolder;
 using testing::write_file;
 
@@ -29,6 +31,14 @@ TEST(House, IncludesPointDownTheChain) { EXPECT_THAT(includes_up_the_chain(FAIRL
 
 TEST(House, EveryComponentHasItsPapers) {
   EXPECT_THAT(components_without_papers(FAIRLIGHT_SOURCE_DIR, registered()), IsEmpty());
+}
+
+TEST(House, HasNoSectionWithoutAComponent) {
+  EXPECT_THAT(sections_without_component(FAIRLIGHT_SOURCE_DIR), IsEmpty());
+}
+
+TEST(House, KnowsWhyWhatIsNoComponentIsNone) {
+  EXPECT_THAT(stale_non_components(FAIRLIGHT_SOURCE_DIR, registered()), IsEmpty());
 }
 
 TEST(House, StatsUsesTheStandardLibraryEigenAndBoostMath) {
@@ -93,6 +103,38 @@ TEST(House, NoticesASamplerWithoutASectionInTheDocs) {
   Papers papers;
   papers.docs = "## Disks\n";
   EXPECT_THAT(papers.problems(), Contains("Disk has no section in docs/estimators.md"));
+}
+
+// Whatever its methods are called, and without any: a function that has a mean is one.
+TEST(House, TakesWhateverAHeaderDeclaresForAComponent) {
+  const auto problems_with = [](const std::string& header) {
+    const TemporaryFolder tree;
+    write_file(tree / "estimators/disk.h", header);
+    write_file(tree / "tests/estimators/disk_test.cpp", "");
+    write_file(tree / "docs/estimators.md", "");
+    return components_without_papers(tree.path(), {});
+  };
+  const std::string class_of = "Disk has no row in the registry", function_of = "disk has no row in the registry";
+  EXPECT_THAT(problems_with("template <class Real>\nclass Disk {\n  Real area() const;\n};\n"), Contains(class_of));
+  EXPECT_THAT(problems_with("class Disk final : public Shape,\n  public Area {\n};\n"), Contains(class_of));
+  EXPECT_THAT(problems_with("template <class Real>\nReal disk(Real radius) {\n  return radius;\n}\n"),
+              Contains(function_of));
+  EXPECT_THAT(
+      problems_with("template <class Real>\nconstexpr std::pair<Real, Real> disk(\n    Real radius) {\n}\n"),
+      Contains(function_of));
+  EXPECT_THAT(problems_with("inline constexpr auto disk = [](double radius) { return radius; };\n"),
+              Contains(HasSubstr("disk")));
+  EXPECT_THAT(problems_with("DISK(4) something\n"), Contains(HasSubstr("DISK(4) something has no row")))
+      << "what it cannot read";
+  EXPECT_THAT(problems_with("namespace detail {\nclass Disk {\n};\n}  // namespace detail\n"), IsEmpty());
+  EXPECT_THAT(problems_with("namespace detail {\n}  // namespace detail\nclass Disk {\n};\n"), Contains(class_of));
+}
+
+TEST(House, NoticesASectionWithoutAComponent) {
+  const TemporaryFolder tree;
+  write_file(tree / "estimators/disk.h", "struct Disk {\n};\n");
+  write_file(tree / "docs/estimators.md", "## Disk, Square\n");
+  EXPECT_THAT(sections_without_component(tree.path()), ElementsAre("Square"));
 }
 
 TEST(House, ReadsTheCommentAboveATemplateOfSeveralLines) {

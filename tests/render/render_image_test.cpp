@@ -1,9 +1,11 @@
 #include <stdexcept>
 
+#include <boost/math/distributions/poisson.hpp>
 #include <gtest/gtest.h>
 
 #include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/render_image.h>
+#include <fairlight/stats/seed.h>
 
 namespace fairlight {
 namespace {
@@ -49,28 +51,40 @@ TEST(RenderImage, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-// Instruction sets round floats differently, which may part a path where it only just hits; numbers that are not the same part nearly all.
-// How many pixels part from those of the widest instructions by more than a thousandth.
-int parted(const RenderSettings& settings, const std::string& instructions) {
-  const Film one = render(settings, {0, 4}, 1), other = render(settings, {0, 4}, 1, instructions);
+// How many pixels part from those of the widest instructions by more than a thousandth, which roundings do not come to where paths are
+// the same; and how many rays these took.
+std::pair<int, std::uint64_t> parted(const RenderSettings& settings, const std::string& instructions,
+                                     std::uint64_t seed) {
+  const View view = view_of(settings);
+  Film one(settings.width, settings.height), other = one;
+  const std::uint64_t rays = render_image(view, settings, seed, {0, 4}, 1, one, {}).rays;
+  render_image(view, settings, seed, {0, 4}, 1, other, {}, instructions);
   int parted = 0;
   for (int i = 0; i < settings.width * settings.height; ++i) {
     const Rgb<double> a = one.mean(i % settings.width, i / settings.width);
     const Rgb<double> b = other.mean(i % settings.width, i / settings.width);
     parted += ((a - b).abs() > 1e-3 * (a + b)).any() ? 1 : 0;
   }
-  return parted;
+  return {parted, rays};
 }
 
+// Instruction sets round floats differently, which parts a path where a number that decides falls that close to what it is compared with:
+// within 5e-6 on either side, as 84 roundings come to, which all claims in packets allow for. With ten such comparisons, of the edges
+// that a ray passes and of roulette, one ray in 10^4 parts. The limit is the quantile of so many at 1e-6 for all comparisons; of numbers that
+// are not the same nearly all pixels part.
 TEST(RenderImage, FollowsTheSamePathsByEveryInstructionSet) {
+  const std::uint64_t seed = fresh_seed();
+  const double level = 1e-6 / static_cast<double>(scene_names().size() * 3 * instruction_sets().size());
   for (const std::string& scene : scene_names()) {
     for (const char* random : {"independent", "sobol", "stratified"}) {
       RenderSettings settings = small(random, std::string(random) == "independent" ? 1 : 4);
       settings.scene = scene;
       for (const InstructionSet& set : instruction_sets()) {
         if (!set.runs_here) continue;
-        EXPECT_LT(parted(settings, set.name), settings.width * settings.height / 100)
-            << scene << ", " << random << " by " << set.name;
+        const auto [pixels, rays] = parted(settings, set.name, seed);
+        const boost::math::poisson expected(1e-4 * static_cast<double>(rays));
+        EXPECT_LE(pixels, boost::math::quantile(boost::math::complement(expected, level)))
+            << scene << ", " << random << " by " << set.name << ", seed " << seed_text(seed);
       }
     }
   }
@@ -136,50 +150,6 @@ TEST(RenderImage, IsTheSumOfItsPartsAcrossWhatIsHeldAtOnce) {
   Film parts = render(small(), {65, 70}, 2);
   parts.merge(render(small(), {0, 65}, 2));
   EXPECT_EQ(parts, render(small(), {0, 70}, 2));
-}
-
-using Values = std::vector<std::pair<std::string RenderSettings::*, std::vector<std::string>>>;
-const Values strategies{{&RenderSettings::real, {"packet", "double"}},
-                        {&RenderSettings::bounce, {"cosine", "uniform"}},
-                        {&RenderSettings::direct, {"light", "none", "mis"}},
-                        {&RenderSettings::light_sampling, {"area", "visible", "cone", "solid-angle"}},
-                        {&RenderSettings::which_light, {"all", "one", "power", "contribution"}},
-                        {&RenderSettings::roulette, {"albedo", "throughput", "off"}},
-                        {&RenderSettings::filter, {"tent", "box", "gaussian", "blackman-harris"}},
-                        {&RenderSettings::random, {"independent", "sobol", "stratified"}}};
-
-// Of spheres by what is seen of them, of rectangles by solid angle: what each scene's lights are.
-bool admits(const RenderSettings& settings) {
-  const bool rectangles = view_of(settings).scene.luminaires()[0].is_rectangle;
-  return settings.light_sampling == "area" || settings.direct == "none" ||
-         rectangles == (settings.light_sampling == "solid-angle");
-}
-
-// Every pair of strategies, in every scene that admits them.
-TEST(RenderImage, RunsEveryPairOfStrategies) {
-  for (const std::string& scene : scene_names()) {
-    RenderSettings settings = small();
-    settings.width = settings.height = 8;
-    settings.scene = scene;
-    settings.max_depth = 3;
-    for (std::size_t i = 0; i < strategies.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        for (const std::string& a : strategies[i].second) {
-          for (const std::string& b : strategies[j].second) {
-            RenderSettings pair = settings;
-            pair.*strategies[i].first = a;
-            pair.*strategies[j].first = b;
-            if (pair.roulette == "throughput") pair.roulette_depth = 2;
-            if (admits(pair)) {
-              EXPECT_EQ(render(pair, {0, 1}, 2).at(0, 0)[0].count(), 1u) << scene << " " << a << " " << b;
-            } else {
-              EXPECT_THROW(render(pair, {0, 1}, 2), std::invalid_argument) << scene << " " << a << " " << b;
-            }
-          }
-        }
-      }
-    }
-  }
 }
 
 TEST(RenderImage, RunsEveryScene) {

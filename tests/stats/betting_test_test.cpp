@@ -149,13 +149,43 @@ TEST(BettingTest, RefusesAnEmptyBlock) {
   EXPECT_THROW(test.add({}), std::invalid_argument);
 }
 
-// What makes the test exact: sizes and bets use the past alone.
-RC_GTEST_PROP(BettingTest, ChoosesTheNextBlockByThePast, ()) {
+// What makes the test exact: whatever was drawn before, a process neither gains nor loses in the mean over the next draw, if that
+// has the mean that the process bets against. A bet that knew of the draw would gain. A coin has such a mean, and two outcomes.
+RC_GTEST_PROP(BettingTest, BetsByThePastAlone, ()) {
   const auto past = *rc::gen::container<std::vector<bool>>(rc::gen::arbitrary<bool>());
-  BettingTest test(coin(0.01), alpha, beta);
+  const double mean = 0.4, margin = 0.1, never = 1e-100;
+  BettingTest test({mean, margin, 0, 1}, never, never);
   for (bool draw : past) test.add(std::vector<double>{draw ? 1.0 : 0.0});
-  RC_ASSERT(test.block_size() >= 1u);
-  RC_ASSERT(test.block_size() <= std::max<std::size_t>(1, past.size() / 8));
+  RC_ASSERT(test.verdict() == Verdict::undecided);
+  BettingTest one = test, zero = test;
+  one.add(std::vector<double>{1});
+  zero.add(std::vector<double>{0});
+  const double rounding = 8 * (static_cast<double>(past.size()) + 64) * std::numeric_limits<double>::epsilon();
+  const auto is_fair = [&](double Wealth::*process, double heads) {
+    const auto growth = [&](const BettingTest& next) {
+      return std::exp(next.wealth().*process - test.wealth().*process);
+    };
+    return std::abs(heads * growth(one) + (1 - heads) * growth(zero) - 1) <= rounding &&
+           growth(one) != growth(zero);
+  };
+  RC_ASSERT(is_fair(&Wealth::too_bright, mean));
+  RC_ASSERT(is_fair(&Wealth::too_dark, mean));
+  RC_ASSERT(is_fair(&Wealth::not_brighter, mean + margin));
+  RC_ASSERT(is_fair(&Wealth::not_darker, mean - margin));
+}
+
+// An eighth of the draws before it, up to 0.9 variance / (margin range) with the range from the mean: 0.9 / 4 / (0.01 / 2).
+TEST(BettingTest, LetsBlocksGrowUpToWhereTheirBetsWouldBeCapped) {
+  BettingTest test(coin(0.01), alpha, beta);
+  const auto size_after = [&](int draws) {
+    while (test.moments().count() < static_cast<std::uint64_t>(draws)) test.add(std::vector<double>{0, 1});
+    return test.block_size();
+  };
+  EXPECT_EQ(size_after(0), 1u);
+  EXPECT_EQ(size_after(14), 1u);
+  EXPECT_EQ(size_after(16), 2u);
+  EXPECT_EQ(size_after(80), 10u);
+  EXPECT_EQ(size_after(1000), 45u);
 }
 
 // The probability of a verdict within n tosses of a coin, by going through all 2^n of them.

@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <regex>
 #include <sstream>
 
 #include <support/house.h>
+#include <support/non_components.h>
 #include <support/temporary_folder.h>
 
 namespace fairlight::testing {
@@ -29,27 +32,56 @@ std::vector<std::string> lines_of(const fs::path& file) {
   return lines;
 }
 
-// A class at namespace level: its name, the comment above it and its body.
-struct Component {
+// A class or a function of a header that is for its users: its name, the comments above its declarations, and the class's body.
+struct Declaration {
   std::string name, comment, body;
 };
 
-std::vector<Component> components(const fs::path& header) {
-  static const std::regex declaration(R"(^(?:struct|class) (\w+)(?: final)? (?:: .*)?\{.*$)");
-  std::vector<Component> found;
+// What begins a line of a header, at its very left, and declares nothing that could be a component: a type by another name is one by
+// its own.
+bool declares_nothing(const std::string& line) {
+  static const std::regex other(
+      R"(^(?:template|requires|namespace|using|concept|enum|static_assert|extern|inline constexpr|constexpr|typedef)\b.*$)");
+  static const std::regex function(R"(^(?:inline )?constexpr (?:[^={]*\(|.*= \[).*$)");
+  static const std::regex operators(R"(^.*\boperator\b.*$)");
+  static const std::regex guide(R"(^\w+\(.*\) -> .*$)");
+  if (std::regex_match(line, function)) return std::regex_match(line, operators);
+  return std::regex_match(line, other) || std::regex_match(line, operators) || std::regex_match(line, guide);
+}
+
+// Of a line that begins at the very left: the name that it declares; of one that is not understood all of it, lest something be missed.
+std::string declared_by(const std::string& line) {
+  static const std::regex type(R"(^(?:struct|class) (\w+).*$)");
+  static const std::regex function(R"(^[\w:<>,&* ]+[ &*](\w+)\(.*$)");
+  std::smatch match;
+  return std::regex_match(line, match, type) || std::regex_match(line, match, function) ? match[1].str() : line;
+}
+
+// All but what is in namespaces called detail.
+std::vector<Declaration> declarations(const fs::path& header) {
+  static const std::regex opens_detail(R"(^namespace (?:\w+::)*detail \{.*$)");
+  static const std::regex closes_detail(R"(^\}  // namespace (?:\w+::)*detail$)");
+  std::vector<Declaration> found;
+  std::map<std::string, std::size_t> places;
   std::string comment;
-  bool inside = false;
+  Declaration* open = nullptr;  // the class that a line is in the body of
+  bool hidden = false;
   for (const std::string& line : lines_of(header)) {
-    std::smatch match;
-    if (inside) {
-      found.back().body += line + "\n";
-      inside = line != "};";
+    const bool begins = !line.empty() && std::isalpha(static_cast<unsigned char>(line[0])) != 0;
+    hidden = (hidden && !std::regex_match(line, closes_detail)) || std::regex_match(line, opens_detail);
+    if (open != nullptr) {
+      open->body += line + "\n";
+      if (line == "};") open = nullptr;
     } else if (line.starts_with("///")) {
       comment += line + "\n";
-    } else if (std::regex_match(line, match, declaration)) {
-      found.push_back({match[1], comment, ""});
-      inside = line.find("};") == std::string::npos;
+    } else if (begins && !hidden && !declares_nothing(line)) {
+      const auto [place, is_new] = places.try_emplace(declared_by(line), found.size());
+      if (is_new) found.push_back({place->first, "", ""});
+      Declaration& declaration = found[place->second];
+      declaration.comment += comment;
       comment.clear();
+      const bool is_class = line.starts_with("struct ") || line.starts_with("class ");
+      if (is_class && !line.ends_with(";") && line.find("};") == std::string::npos) open = &declaration;
     } else if (!line.starts_with("template") &&
                !line.starts_with(" ")) {  // or its parameters, on a line of their own
       comment.clear();
@@ -60,9 +92,54 @@ std::vector<Component> components(const fs::path& header) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-bool is_component(const Component& c) {
-  return has(c.body, " sample(") || has(c.body, " sum(") || has(c.body, " play(") || has(c.body, " estimate(") ||
-         has(c.body, " next()") || has(c.body, " radiance(");
+// Of render/, which composes: a class that is asked for numbers, or that the page has. One that looks up another while the program runs,
+// Chosen..., is none.
+bool is_composed(const Declaration& d, const std::set<std::string>& sections) {
+  static const std::vector<std::string> methods{" sample(",   " sum(",   " play(",
+                                                " estimate(", " next()", " radiance("};
+  const auto has_method = [&](const std::string& method) { return has(d.body, method); };
+  return sections.contains(d.name) || (!d.name.starts_with("Chosen") && std::ranges::any_of(methods, has_method));
+}
+
+// The names that headings of a page consist of, as in `## Name` or `## Name, Other`.
+std::set<std::string> sections_of(const fs::path& page) {
+  std::set<std::string> names;
+  for (const std::string& line : lines_of(page)) {
+    if (!line.starts_with("## ")) continue;
+    std::istringstream heading(line.substr(3));
+    for (std::string name; std::getline(heading >> std::ws, name, ',');) names.insert(name);
+  }
+  return names;
+}
+
+// All components under `root`, each with its header.
+std::vector<std::pair<fs::path, Declaration>> components(const fs::path& root,
+                                                         const std::set<std::string>& sections) {
+  std::vector<std::pair<fs::path, Declaration>> found;
+  const auto add = [&](const fs::path& folder, const auto& is_component) {
+    for (const fs::path& header : sources(root / folder)) {
+      if (header.extension() != ".h") continue;
+      for (const Declaration& d : declarations(header)) {
+        if (is_component(header.filename().string(), d)) found.emplace_back(header, d);
+      }
+    }
+  };
+  add("estimators", [](const std::string& header, const Declaration& d) {
+    return !headers_without_components.contains(header) && !no_components.contains(d.name);
+  });
+  add("render", [&](const std::string&, const Declaration& d) { return is_composed(d, sections); });
+  return found;
+}
+
+// What a component is to open with: all of it when it has a density.
+std::vector<std::string> missing_fields(const Declaration& d) {
+  std::vector<std::string> missing;
+  for (const std::string field : {"Formula", "Measure", "Domain", "Random", "Source"}) {
+    const bool needed = has(d.body, " pdf(") || field == "Source";
+    const bool given = has(d.comment, "/// " + field + " ") || has(d.comment, field + ": ");
+    if (needed && !given) missing.push_back(field);
+  }
+  return missing;
 }
 
 }  // namespace
@@ -110,24 +187,42 @@ std::vector<std::string> foreign_includes_in_stats(const fs::path& root) {
 
 std::vector<std::string> components_without_papers(const fs::path& root, const std::set<std::string>& registered) {
   std::vector<std::string> problems;
-  const std::string docs = read_file((root / "docs/estimators.md").string());
-  std::vector<fs::path> files = sources(root / "estimators");
-  for (const fs::path& file : sources(root / "render")) files.push_back(file);
-  for (const fs::path& header : files) {
-    if (header.extension() != ".h") continue;
-    for (const Component& c : components(header)) {
-      if (!is_component(c) || c.name.starts_with("Chosen")) continue;
-      const auto missing = [&](const std::string& what) { problems.push_back(c.name + " has no " + what); };
-      const bool has_density = has(c.body, " pdf(");
-      for (const char* field : {"Formula", "Measure", "Domain", "Random", "Source"}) {
-        const bool needed = has_density || std::string(field) == "Source";
-        if (needed && !has(c.comment, std::string("/// ") + field + " ")) missing(std::string("field ") + field);
-      }
-      if (!registered.contains(c.name)) missing("row in the registry");
-      if (!has(docs, "## " + c.name + "\n")) missing("section in docs/estimators.md");
-      const std::string test =
-          "tests/" + header.parent_path().filename().string() + "/" + header.stem().string() + "_test.cpp";
-      if (!has(read_file((root / test).string()), c.name)) missing("test in " + test);
+  const std::set<std::string> sections = sections_of(root / "docs/estimators.md");
+  for (const auto& component : components(root, sections)) {
+    const fs::path& header = component.first;
+    const Declaration& d = component.second;
+    const auto missing = [&](const std::string& what) { problems.push_back(d.name + " has no " + what); };
+    for (const std::string& field : missing_fields(d)) missing("field " + field);
+    if (!registered.contains(d.name)) missing("row in the registry");
+    if (!sections.contains(d.name)) missing("section in docs/estimators.md");
+    const std::string test =
+        "tests/" + header.parent_path().filename().string() + "/" + header.stem().string() + "_test.cpp";
+    if (!has(read_file((root / test).string()), d.name)) missing("test in " + test);
+  }
+  return problems;
+}
+
+std::vector<std::string> sections_without_component(const fs::path& root) {
+  std::set<std::string> sections = sections_of(root / "docs/estimators.md");
+  for (const auto& [header, d] : components(root, sections)) sections.erase(d.name);
+  return {sections.begin(), sections.end()};
+}
+
+std::vector<std::string> stale_non_components(const fs::path& root, const std::set<std::string>& registered) {
+  std::vector<std::string> problems;
+  std::set<std::string> declared;
+  for (const fs::path& header : sources(root / "estimators")) {
+    if (headers_without_components.contains(header.filename().string())) continue;
+    for (const Declaration& d : declarations(header)) declared.insert(d.name);
+  }
+  for (const auto& [name, reason] : no_components) {
+    if (!declared.contains(name)) problems.push_back(name + " is declared nowhere");
+    if (registered.contains(name)) problems.push_back(name + " has a row in the registry");
+  }
+  for (const auto& [header, reason] : headers_without_components) {
+    if (!fs::exists(root / "estimators" / header)) problems.push_back("there is no " + header);
+    for (const Declaration& d : declarations(root / "estimators" / header)) {
+      if (registered.contains(d.name)) problems.push_back(d.name + " of " + header + " has a row in the registry");
     }
   }
   return problems;

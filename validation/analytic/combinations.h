@@ -58,13 +58,13 @@ struct TwoPeaks {
 };
 
 template <class Heuristic>
-auto multi_sample_peaks(const std::string& name) {
+auto multi_sample_peaks(const std::string& name, const std::vector<std::string>& subjects) {
   const auto make = []<class Real>(std::type_identity<Real>) {
     constexpr std::array n{1, 2, 1};
     return MultiSampleMis(Heuristic{}, TwoPeaks::laws<Real>(), n, TwoPeaks::integrand<Real>(),
                           TwoPeaks::mixture(n));
   };
-  return bounded_experiment(name, {"MultiSampleMis"},
+  return bounded_experiment(name, subjects,
                             "two peaks on a slope have the integral 5/4, from one, two and one draws of three laws",
                             "elementary; Veach 1997, 9.2", TwoPeaks::integral, make);
 }
@@ -78,8 +78,8 @@ auto one_sample_of_peaks() {
 }
 
 template <class Heuristic>
-auto one_sample_peaks(const std::string& name) {
-  return bounded_experiment(name, {"OneSampleMis"},
+auto one_sample_peaks(const std::string& name, const std::vector<std::string>& subjects) {
+  return bounded_experiment(name, subjects,
                             "two peaks on a slope have the integral 5/4, from a draw of one of three laws",
                             "elementary; Veach 1997, 9.2.4", TwoPeaks::integral, one_sample_of_peaks<Heuristic>());
 }

@@ -40,7 +40,7 @@ auto metal_weight(const std::string& name, const GreyMetal<Loss>& metal, double 
     return Real(surface.sample(direction<Real>(out), {place.x(), place.y(), source.next()}).weight[0]);
   };
   return Experiment{name,
-                    {"EnergyCompensatedConductor"},
+                    {"EnergyCompensatedConductor", "ConstantReflectance"},
                     "the weight of a bounce has the albedo as its mean; with white facets, 1",
                     "Kulla and Conty 2017",
                     1,

@@ -5,6 +5,7 @@
 
 #include <fairlight/estimators/conductor.h>
 #include <fairlight/estimators/dielectric.h>
+#include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/importance.h>
 #include <fairlight/estimators/sphere_light.h>
 #include <fairlight/stats/quadrature.h>

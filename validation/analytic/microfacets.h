@@ -54,7 +54,7 @@ auto facet_area(const std::string& name, const GgxView& view) {
   };
   const double area = view.z * (1 + GgxAlbedo{view.alpha_x, view.alpha_y}.lambda(view.out()));
   return Experiment{name,
-                    {"GgxVisibleNormals", "UniformHemisphere"},
+                    {"Ggx", "UniformHemisphere"},
                     "the facets that face a direction have the area cos(theta) (1 + Lambda), seen from there",
                     "Heitz 2014",
                     1,
@@ -77,7 +77,7 @@ auto conductor_weight(const std::string& name, const GgxView& view) {
     return Real(surface.sample(direction<Real>(view.out()), next_pair<Real>(source)).weight[0]);
   };
   return Experiment{name,
-                    {"RoughConductor", "GgxVisibleNormals"},
+                    {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
                     "the weight of a bounce off white facets has the albedo as its mean",
                     "quadrature over the slopes; Walter et al. 2007",
                     1,
@@ -96,7 +96,7 @@ auto conductor_density(const std::string& name, const GgxView& view) {
     return Real(surface.eval(out, bounce.in)[0] * bounce.in.z() / select(p > Real(0), p, Real(1)));
   };
   return Experiment{name,
-                    {"RoughConductor", "GgxVisibleNormals"},
+                    {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
                     "f cos / p of the bounces off white facets has the albedo as its mean",
                     "quadrature over the slopes; Walter et al. 2007",
                     1,

@@ -24,12 +24,16 @@ void add_roulette(std::vector<Claim>& claims) {
 }
 
 void add_mis(std::vector<Claim>& claims) {
-  add_mean(claims, multi_sample_peaks<BalanceHeuristic>("mis.peaks.balance"));
-  add_mean(claims, multi_sample_peaks<PowerHeuristic>("mis.peaks.power"));
-  add_mean(claims, multi_sample_peaks<MaximumHeuristic>("mis.peaks.maximum"));
-  add_mean(claims, one_sample_peaks<BalanceHeuristic>("mis.one_sample.balance"));
-  add_mean(claims, one_sample_peaks<PowerHeuristic>("mis.one_sample.power"));
-  add_mean(claims, one_sample_peaks<MaximumHeuristic>("mis.one_sample.maximum"));
+  add_mean(claims,
+           multi_sample_peaks<BalanceHeuristic>("mis.peaks.balance", {"MultiSampleMis", "BalanceHeuristic"}));
+  add_mean(claims, multi_sample_peaks<PowerHeuristic>("mis.peaks.power", {"MultiSampleMis", "PowerHeuristic"}));
+  add_mean(claims,
+           multi_sample_peaks<MaximumHeuristic>("mis.peaks.maximum", {"MultiSampleMis", "MaximumHeuristic"}));
+  add_mean(claims,
+           one_sample_peaks<BalanceHeuristic>("mis.one_sample.balance", {"OneSampleMis", "BalanceHeuristic"}));
+  add_mean(claims, one_sample_peaks<PowerHeuristic>("mis.one_sample.power", {"OneSampleMis", "PowerHeuristic"}));
+  add_mean(claims,
+           one_sample_peaks<MaximumHeuristic>("mis.one_sample.maximum", {"OneSampleMis", "MaximumHeuristic"}));
   add_mean(claims, solid_angle_by_two<PowerHeuristic>("mis.hemisphere.power"));
 }
 

@@ -1,5 +1,6 @@
 #include <fairlight/validation/analytic/integrals.h>
 #include <fairlight/validation/analytic/mixtures.h>
+#include <fairlight/validation/analytic/reflectances.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
@@ -20,6 +21,16 @@ void add_smooth_claims(std::vector<Claim>& claims) {
                       "Born and Wolf, 14.2, in complex amplitudes", 60 * degree,
                       Copper().reflectance(0, 60 * degree), copper);
   add_mean(claims, conductor_diffuse("conductor.diffuse"));
+}
+
+void add_reflectances(std::vector<Claim>& claims) {
+  for (const CosineRange& range : cosine_ranges) {
+    add_independent_mean(claims, insulator_outside(range));
+    add_independent_mean(claims, copper_reflectance(range));
+    add_independent_mean(claims, schlick_reflectance(range));
+  }
+  add_independent_mean(claims, insulator_inside("fresnel.dielectric.inside", false));
+  add_independent_mean(claims, insulator_inside("fresnel.dielectric.inside.refracted", true));
 }
 
 void add_glass_claims(std::vector<Claim>& claims) {
@@ -51,6 +62,7 @@ void add_material_claims(std::vector<Claim>& claims) {
   claims.push_back(lambertian_constant<double>());
   claims.push_back(lambertian_constant<Packet>());
   add_smooth_claims(claims);
+  add_reflectances(claims);
   add_glass_claims(claims);
   add_mixture_claims(claims);
 }

@@ -42,19 +42,19 @@ Fault roulette_late() {
 Fault weights_on_one_side() {
   using Wrong = faults::PowerOnOneSide;
   return {"mis-power-on-one-side", "MIS sum", "mitsuba aa325039f; Moer #59",
-          together(together(both(multi_sample_peaks<Wrong>("mis.peaks.power")),
-                            both(one_sample_peaks<Wrong>("mis.one_sample.power"))),
+          together(together(both(multi_sample_peaks<Wrong>("mis.peaks.power", {})),
+                            both(one_sample_peaks<Wrong>("mis.one_sample.power", {}))),
                    both(solid_angle_by_two<Wrong>("mis.hemisphere.power")))};
 }
 
 Fault counts_ignored() {
   return {"mis-counts-ignored", "MIS sum", "appleseed #1515",
-          both(multi_sample_peaks<faults::CountsIgnored>("mis.peaks.balance"))};
+          both(multi_sample_peaks<faults::CountsIgnored>("mis.peaks.balance", {}))};
 }
 
 Fault selection_unpaid() {
   return {"mis-selection-unpaid", "luminaire probability", "LuxCore #68",
-          both(one_sample_peaks<faults::SelectionUnpaid>("mis.one_sample.balance"))};
+          both(one_sample_peaks<faults::SelectionUnpaid>("mis.one_sample.balance", {}))};
 }
 
 Fault wrong_sign() {
