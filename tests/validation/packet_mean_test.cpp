@@ -1,13 +1,26 @@
 #include <cmath>
+#include <iostream>
+#include <map>
 
 #include <gtest/gtest.h>
 
+#include <fairlight/stats/seed.h>
 #include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 namespace {
 
-Trial at_margin(double margin) { return {"packet_mean_test", 1, 1e-6, 0.01, margin}; }
+// Fresh numbers for every run, which prints the seed.
+std::uint64_t seed() {
+  static const std::uint64_t fresh = [] {
+    const std::uint64_t drawn = fresh_seed();
+    std::cout << "seed " << seed_text(drawn) << "\n";
+    return drawn;
+  }();
+  return fresh;
+}
+
+Trial at_margin(double margin) { return {"packet_mean_test", seed(), 1e-9, 0.01, margin}; }
 const std::vector<Reference> two{{2, 0, 4}};
 constexpr double some = 1e5;  // draws
 
@@ -26,10 +39,21 @@ Draws ramps(float count, double bias = 0) {
   });
 }
 
+// What pilots choose with most of 33 seeds. A pilot of 64 draws knows a variance to a fifth, so one alone may err.
+std::uint32_t points_mostly(double margin, const std::vector<Reference>& references, const Draws& draws, double many) {
+  std::map<std::uint32_t, int> chosen;
+  for (std::uint64_t i = 0; i < 33; ++i) {
+    Trial trial = at_margin(margin);
+    trial.seed += i;
+    const SamplingScheme scheme = PacketMean(trial, references, draws).cheapest(many);
+    if (++chosen[scheme.points] > 16) return scheme.points;
+  }
+  ADD_FAILURE() << "no choice of most";
+  return 0;
+}
+
 TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
-  const auto points = [](float count, double many) {
-    return PacketMean(at_margin(1e-3), two, ramps(count)).cheapest(many).points;
-  };
+  const auto points = [](float count, double many) { return points_mostly(1e-3, two, ramps(count), many); };
   EXPECT_GT(points(1, some), 1u);
   EXPECT_EQ(points(64, some), 1u) << "a ramp a point, which varies as it would alone";
   EXPECT_EQ(points(1, 1e7), 1u) << "few draws";
@@ -37,8 +61,8 @@ TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
 
 // Of one ramp replicates of 16 points vary so little that the range says how many there must be; of eight those of 64 vary less.
 TEST(PacketMean, TakesTheNumberOfPointsThatTakesTheLeastTime) {
-  EXPECT_EQ(PacketMean(at_margin(1e-3), two, ramps(1)).cheapest(some).points, 16u);
-  EXPECT_EQ(PacketMean(at_margin(1e-4), two, ramps(8)).cheapest(some).points, 64u);
+  EXPECT_EQ(points_mostly(1e-3, two, ramps(1), some), 16u);
+  EXPECT_EQ(points_mostly(1e-4, two, ramps(8), some), 64u);
 }
 
 TEST(PacketMean, LeavesADrawThatIsOutOfItsRangeToTheTest) {
@@ -57,7 +81,7 @@ TEST(CheckMeanInPackets, HasOneVerdictWhateverTheNumbers) {
     EXPECT_EQ(right.verdict, Verdict::certified) << right.note;
     EXPECT_LT(right.interval.hi, 1e-3);
     EXPECT_EQ(wrong.verdict, Verdict::biased) << count;
-    EXPECT_EQ(wrong.note.empty(), count == 64) << wrong.note;
+    if (count == 1) EXPECT_NE(wrong.note, "") << "points, which vary far less";
   }
 }
 
@@ -69,11 +93,12 @@ TEST(PacketMean, CountsDrawsOneByOne) {
   EXPECT_EQ(by_set, 16 * by_one);
 }
 
-// One number in 100000 brings 5, which is out of the range; the mean of its replicate is not.
+// One number in 1000 brings 5, which is out of the range; the mean of its replicate is not. A verdict on the mean takes
+// more than a thousand replicates of 64, of which one in 16 has such a number.
 TEST(PacketMean, FindsOnePointThatIsOutOfItsRange) {
   const Draws rare = packet_draws([](auto& source) {
     const Packet u = source.next();
-    return Packet(select(u < Packet(1e-5f), Packet(5), Packet(2) * u + Packet(1)));
+    return Packet(select(u < Packet(1e-3f), Packet(5), Packet(2) * u + Packet(1)));
   });
   const PacketMean mean(at_margin(1e-3), two, rare);
   const Finding finding = worst_of(mean.test_each(at_margin(1e-3), {64}));
