@@ -1,13 +1,26 @@
 #include <cmath>
+#include <iostream>
+#include <map>
 
 #include <gtest/gtest.h>
 
+#include <fairlight/stats/seed.h>
 #include <fairlight/validation/packet_mean.h>
 
 namespace fairlight {
 namespace {
 
-Trial at_margin(double margin) { return {"packet_mean_test", 1, 1e-6, 0.01, margin}; }
+// Fresh numbers for every run, which prints the seed.
+std::uint64_t seed() {
+  static const std::uint64_t fresh = [] {
+    const std::uint64_t drawn = fresh_seed();
+    std::cout << "seed " << seed_text(drawn) << "\n";
+    return drawn;
+  }();
+  return fresh;
+}
+
+Trial at_margin(double margin) { return {"packet_mean_test", seed(), 1e-9, 0.01, margin}; }
 const std::vector<Reference> two{{2, 0, 4}};
 constexpr double some = 1e5;  // draws
 
@@ -20,10 +33,22 @@ auto ramps(float count, double bias = 0) {
   };
 }
 
+// What pilots choose, of 33 seeds most. A pilot of 64 draws knows a variance to a fifth, so one alone may err.
+template <class Draw>
+Spread mostly_cheapest(double margin, const std::vector<Reference>& references, const Draw& draw, double many) {
+  std::map<std::pair<std::uint32_t, bool>, int> chosen;
+  for (std::uint64_t i = 0; i < 33; ++i) {
+    Trial trial = at_margin(margin);
+    trial.seed += i;
+    const Spread spread = PacketMean(trial, references, draw).cheapest(many);
+    if (++chosen[{spread.count, spread.over_points}] > 16) return spread;
+  }
+  ADD_FAILURE() << "no choice of most";
+  return {};
+}
+
 TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
-  const auto points = [](float count, double many) {
-    return PacketMean(at_margin(1e-3), two, ramps(count)).cheapest(many).count;
-  };
+  const auto points = [](float count, double many) { return mostly_cheapest(1e-3, two, ramps(count), many).count; };
   EXPECT_GT(points(1, some), 1u);
   EXPECT_EQ(points(64, some), 1u) << "a ramp a point, which varies as it would alone";
   EXPECT_EQ(points(1, 1e7), 1u) << "few draws";
@@ -31,8 +56,8 @@ TEST(PacketMean, TakesPointsWhereTheyVaryLessAndManyDrawsAreNeeded) {
 
 // Of one ramp replicates of 16 points vary so little that the range says how many there must be; of eight those of 64 vary less.
 TEST(PacketMean, TakesTheNumberOfPointsThatTakesTheLeastTime) {
-  EXPECT_EQ(PacketMean(at_margin(1e-3), two, ramps(1)).cheapest(some).count, 16u);
-  EXPECT_EQ(PacketMean(at_margin(1e-4), two, ramps(8)).cheapest(some).count, 64u);
+  EXPECT_EQ(mostly_cheapest(1e-3, two, ramps(1), some).count, 16u);
+  EXPECT_EQ(mostly_cheapest(1e-4, two, ramps(8), some).count, 64u);
 }
 
 TEST(PacketMean, LeavesADrawThatIsOutOfItsRangeToTheTest) {
@@ -51,7 +76,7 @@ TEST(CheckMeanInPackets, HasOneVerdictWhateverTheNumbers) {
     EXPECT_EQ(right.verdict, Verdict::certified) << right.note;
     EXPECT_LT(right.interval.hi, 1e-3);
     EXPECT_EQ(wrong.verdict, Verdict::biased) << count;
-    EXPECT_EQ(wrong.note.empty(), count == 64) << wrong.note;
+    if (count == 1) EXPECT_NE(wrong.note, "") << "points, which vary far less";
   }
 }
 
@@ -65,11 +90,12 @@ TEST(PacketMean, CountsDrawsOneByOne) {
   EXPECT_EQ(by_set, 16 * by_one);
 }
 
-// One number in 100000 brings 5, which is out of the range; the mean of its replicate is not.
+// One number in 1000 brings 5, which is out of the range; the mean of its replicate is not. A verdict on the mean takes more than a thousand
+// replicates of 64, of which one in 16 has such a number.
 TEST(PacketMean, FindsOnePointThatIsOutOfItsRange) {
   const auto rare = [](std::type_identity<Packet>, auto& source) {
     const Packet u = source.next();
-    return Packet(select(u < Packet(1e-5f), Packet(5), Packet(2) * u + Packet(1)));
+    return Packet(select(u < Packet(1e-3f), Packet(5), Packet(2) * u + Packet(1)));
   };
   const PacketMean mean(at_margin(1e-3), two, rare);
   const Finding finding = worst_of(mean.test_each(at_margin(1e-3), {64, true}));
@@ -77,14 +103,14 @@ TEST(PacketMean, FindsOnePointThatIsOutOfItsRange) {
   EXPECT_NE(finding.note.find("is 5 (one of those that it is the mean of"), std::string::npos) << finding.note;
 }
 
-// A path of some numbers, up to the first after the first that is below a half, brings 1 + 2u of its first in each channel; so many times as
+// A path of some numbers, up to the first after the first that is below an eighth, brings 1 + 2u of its first in each channel; so many times as
 // much by a wrong one, and 9 by a rare one.
 struct Walk {
   float times = 1, rare = 0;
 
   Rgb<Packet> operator()(std::type_identity<Packet>, auto& source) const {
     const Rgb<Packet> found = of(source.next());
-    for (Mask<Packet> goes_on(true); any(goes_on);) goes_on = goes_on && source.next() >= Packet(0.5f);
+    for (Mask<Packet> goes_on(true); any(goes_on);) goes_on = goes_on && source.next() >= Packet(0.125f);
     return found;
   }
   void in_a_row(int paths, auto& source, const auto& found) const {
@@ -93,7 +119,7 @@ struct Walk {
     Rgb<Packet> carried = zero<Rgb<Packet>>();
     while (any(left > Packet(0))) {
       const Packet u = source.next();
-      const Mask<Packet> ends = !begins && left > Packet(0) && u < Packet(0.5f);
+      const Mask<Packet> ends = !begins && left > Packet(0) && u < Packet(0.125f);
       carried = select(begins, of(u), carried);
       found(ends, carried);
       left -= select(ends, Packet(1), Packet(0));
@@ -111,9 +137,10 @@ const std::vector<Reference> grey{{2, 0, 4}, {2, 0, 4}, {2, 0, 4}};
 
 TEST(PacketMean, TakesPathsInARowWhereTheyCanBe) {
   const PacketMean mean(at_margin(1e-3), grey, Walk());
-  EXPECT_EQ(mean.cheapest(1e9).count, 8u);
-  EXPECT_FALSE(mean.cheapest(1e9).over_points);
-  EXPECT_TRUE(mean.cheapest(some).over_points) << "which vary less";
+  const Spread row = mostly_cheapest(1e-3, grey, Walk(), 1e9);
+  EXPECT_EQ(row.count, 8u);
+  EXPECT_FALSE(row.over_points);
+  EXPECT_TRUE(mostly_cheapest(1e-3, grey, Walk(), some).over_points) << "which vary less";
   EXPECT_EQ(worst_of(mean.test_each(at_margin(1e-3), {8})).verdict, Verdict::certified);
   EXPECT_EQ(check_mean_in_packets(at_margin(1e-3), grey, Walk()).verdict, Verdict::certified);
 }
@@ -121,7 +148,7 @@ TEST(PacketMean, TakesPathsInARowWhereTheyCanBe) {
 TEST(PacketMean, FindsWhatIsWrongInARow) {
   EXPECT_EQ(check_mean_in_packets(at_margin(1e-3), grey, Walk{1.003f}).verdict, Verdict::biased);
   const Finding finding =
-      worst_of(PacketMean(at_margin(1e-3), grey, Walk{1, 1e-5f}).test_each(at_margin(1e-3), {8}));
+      worst_of(PacketMean(at_margin(1e-3), grey, Walk{1, 1e-3f}).test_each(at_margin(1e-3), {8}));
   EXPECT_EQ(finding.verdict, Verdict::biased);
   EXPECT_NE(finding.note.find("is 9 (one of those that it is the mean of"), std::string::npos) << finding.note;
 }
