@@ -11,7 +11,7 @@ namespace {
 // How near the quadrature is said to be, and what floats add to that (estimators/ggx_albedo.h).
 constexpr double stated = 2e-6, by_floats = 1e-6;
 
-/// The first lane of what facets without colour and absorption reflect.
+/// What facets without colour and absorption reflect: the same in all lanes.
 template <class Real>
 double white(double alpha_x, double alpha_y, const Vec3<double>& out) {
   const auto one = [](const Real&) { return Real(1); };
@@ -19,6 +19,7 @@ double white(double alpha_x, double alpha_y, const Vec3<double>& out) {
       ggx_albedo<Real>(Ggx<Real>(rounded<Real>(alpha_x), rounded<Real>(alpha_y)), out.cast<Real>(), one);
   std::array<double, lanes<Real>> values{};
   store_lanes(albedo, values.data());
+  for (const double lane : values) EXPECT_EQ(lane, values[0]);
   return values[0];
 }
 

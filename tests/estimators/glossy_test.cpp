@@ -85,7 +85,9 @@ RC_GTEST_PROP(Glossy, ReflectsNoMoreThanItsAlbedo, ()) {
   RC_ASSERT((reflected > 0).all() && (reflected <= albedo * (1 + 8 * ulp<double>)).all());
   const Rgb<Packet> packets = Glossy<Packet>(albedo.cast<float>().cast<Packet>(), rounded<Packet>(exponent))
                                   .albedo(out.cast<float>().cast<Packet>());
-  for (int c = 0; c < 3; ++c) RC_ASSERT(std::abs(testing::lanes_of(packets[c])[0] / reflected[c] - 1) <= 2e-6);
+  for (int c = 0; c < 3; ++c) {
+    for (double lane : testing::lanes_of(packets[c])) RC_ASSERT(std::abs(lane / reflected[c] - 1) <= 2e-6);
+  }
 }
 
 template <class Surface>

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -267,7 +268,7 @@ TEST(ExtremeScenes, CountASmallLightOnceByBothStrategies) {
             direct.template emission_weight<Packet>(scene, ray, hit.surface, Packet(1 / pi<float>));
         std::array<double, lanes<Packet>> weights{};
         store_lanes(weight, weights.data());
-        largest = std::max(largest, weights[0]);
+        largest = std::max(largest, std::ranges::max(weights));
       }
     }
     EXPECT_GT(hits, 200);

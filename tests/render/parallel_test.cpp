@@ -1,3 +1,4 @@
+#include <latch>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,13 +22,30 @@ TEST(ForEachUnit, DoesNothingForNoUnits) {
   for_each_unit(0, 4, [](int) { FAIL(); });
 }
 
-TEST(ForEachUnit, ReportsTheFirstFailureAndStops) {
-  try {
-    for_each_unit(1, 3, [](int unit) { throw std::runtime_error("unit " + std::to_string(unit)); });
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "unit 0");
+// Two units fail at once, whichever is noticed first.
+TEST(ForEachUnit, ReportsTheFailureOfTheLowestUnit) {
+  for (int time = 0; time < 64; ++time) {
+    std::latch both(2);
+    try {
+      for_each_unit(2, 2, [&](int unit) {
+        both.arrive_and_wait();
+        throw std::runtime_error("unit " + std::to_string(unit));
+      });
+      FAIL();
+    } catch (const std::runtime_error& error) {
+      ASSERT_STREQ(error.what(), "unit 0");
+    }
   }
+}
+
+TEST(ForEachUnit, BeginsNoUnitAfterAFailure) {
+  std::vector<int> begun;
+  const auto fail_at_two = [&](int unit) {
+    begun.push_back(unit);
+    if (unit == 2) throw std::runtime_error("unit 2");
+  };
+  EXPECT_THROW(for_each_unit(50, 1, fail_at_two), std::runtime_error);
+  EXPECT_EQ(begun, (std::vector<int>{0, 1, 2}));
 }
 
 TEST(ForEachUnit, RefusesNoThreads) {

@@ -119,7 +119,13 @@ TEST(BettingTest, NamesTheDrawThatIsOutOfItsRange) {
 TEST(BettingTest, AcceptsDrawsAboveASoftBound) {
   BettingTest test({0.5, 0.01, 0, 1, 1e-4}, alpha, beta);
   const std::vector<double> draws{0, 5};
-  EXPECT_NO_THROW(test.add(draws));
+  test.add(draws);
+  EXPECT_EQ(test.moments().count(), 2u);
+  EXPECT_EQ(test.moments().maximum(), 5);
+  BettingTest capped({0.5, 0.01, 0, 1, 1e-4}, alpha, beta);
+  capped.add(std::vector<double>{0, 1});
+  EXPECT_EQ(test.wealth().not_brighter, capped.wealth().not_brighter) << "what is above it counts as the bound";
+  EXPECT_GT(test.wealth().not_darker, capped.wealth().not_darker) << "or for itself";
 }
 
 TEST(BettingTest, RefusesAHypothesisThatCannotBeTested) {
