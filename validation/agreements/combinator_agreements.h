@@ -2,7 +2,6 @@
 
 #include <fairlight/render/cornell.h>
 #include <fairlight/validation/analytic/sphere_over_plane.h>
-#include <fairlight/validation/numbers_ahead.h>
 
 namespace fairlight {
 

@@ -2,7 +2,7 @@
 
 #include <fairlight/estimators/vertex_source.h>
 #include <fairlight/stats/second_order.h>
-#include <fairlight/validation/checks.h>
+#include <fairlight/validation/checks/numbers.h>
 #include <fairlight/validation/claim.h>
 
 namespace fairlight {
