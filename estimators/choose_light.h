@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <fairlight/estimators/existing.h>
+#include <fairlight/estimators/safe_divide.h>
 #include <fairlight/estimators/long_sum.h>
 #include <fairlight/estimators/pick_one.h>
 
@@ -53,14 +53,14 @@ class PowerChoice {
   Pick<Real> sample(const Vec2<Real>& u) const {
     Real index(0);
     for (int step = 1 << steps_ >> 1; step > 0; step >>= 1) {
-      const Index<Real> middle = whole(Real(index + rounded<Real>(step - 1)));
+      const Index<Real> middle = to_int(Real(index + rounded<Real>(step - 1)));
       const Real upper = gather(upper_.data(), middle);
       const Mask<Real> equal = upper == u.x();
       Mask<Real> passed = upper < u.x();
       if (any(equal)) passed = passed || (equal && gather(lower_.data(), middle) <= u.y());
       index += select(passed, rounded<Real>(step), Real(0));
     }
-    return {whole(index), Density<Discrete, Real>(gather(probabilities_.data(), whole(index)))};
+    return {to_int(index), Density<Discrete, Real>(gather(probabilities_.data(), to_int(index)))};
   }
 
  private:
@@ -119,7 +119,7 @@ class ContributionChoice {
       searching = searching && before <= target;
     }
     const Real sum = total.value();
-    return {whole(index), Density<Discrete, Real>(Real(chosen / select(sum > Real(0), sum, Real(1))))};
+    return {to_int(index), Density<Discrete, Real>(Real(chosen / select(sum > Real(0), sum, Real(1))))};
   }
 
  private:
@@ -163,9 +163,9 @@ class ContributionChoice {
 /// Bound    the hull of the terms' bounds, each over its probability; nothing, where nothing may be chosen
 /// Source   Shirley, Wang, Zimmerman 1996, 5; the paper, A.1
 template <class Choice>
-class OneBy {
+class LightSampler {
  public:
-  explicit OneBy(Choice choice) : choice_(std::move(choice)) {}
+  explicit LightSampler(Choice choice) : choice_(std::move(choice)) {}
 
   /// With which term i is drawn.
   template <class Real>
@@ -181,7 +181,7 @@ class OneBy {
     using Value = decltype(term(Index<Real>(), source));
     const Pick<Real> pick = choice_.sample(next_pair<Real>(source));
     if (!any(pick.probability.value() != Real(0))) return zero<Value>();
-    return over_existing(Value(term(pick.index, source)), pick.probability);
+    return safe_divide(Value(term(pick.index, source)), pick.probability);
   }
 
   /// From those of the terms, and the probabilities with which they are chosen, or the least that these may be. Throws

@@ -2,11 +2,11 @@
 
 #include <concepts>
 
-#include <fairlight/estimators/existing.h>
+#include <fairlight/estimators/safe_divide.h>
 
 namespace fairlight {
 
-/// A direction in which a light is seen from a point. See over_existing for what to divide by the density.
+/// A direction in which a light is seen from a point. See safe_divide for what to divide by the density.
 template <class Real>
 struct LightSample {
   Vec3<Real> direction;               ///< in the world, unit, towards the light

@@ -52,13 +52,13 @@ Eigen::Array<xsimd::batch<float, A>, Size, 1> select(const xsimd::batch_bool<flo
 }
 
 template <class A>
-xsimd::batch<std::int32_t, A> whole(const xsimd::batch<float, A>& x) {
+xsimd::batch<std::int32_t, A> to_int(const xsimd::batch<float, A>& x) {
   return xsimd::to_int(x);
 }
 
 template <class A>
 xsimd::batch<std::uint32_t, A> leading_bits(const xsimd::batch<float, A>& x) {
-  return xsimd::bitwise_cast<xsimd::batch<std::uint32_t, A>>(whole(x * 0x1p24f)) << 8;
+  return xsimd::bitwise_cast<xsimd::batch<std::uint32_t, A>>(to_int(x * 0x1p24f)) << 8;
 }
 
 template <class A>

@@ -32,10 +32,10 @@ class PaddedSobol {
  public:
   PaddedSobol(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}
 
-  const SetsOfPoints& sets() const { return sets_; }
+  const SampleSets& sets() const { return sets_; }
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
+  SampleBlock<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
     return part == BlockPart::all ? first<5>(at, b) : first<2>(at, b);
   }
 
@@ -43,20 +43,20 @@ class PaddedSobol {
   // The first n of a block, of which the compiler leaves out what is not asked for. The orders, which take the longest, come first, so that
   // a machine works on the random words meanwhile.
   template <std::size_t n, class Real>
-  Five<Real> first(const PathVertex<Real>& at, std::uint32_t b) const {
+  SampleBlock<Real> first(const PathVertex<Real>& at, std::uint32_t b) const {
     using W = Word<Real>;
     const W point = sets_.point_of(at.sample);
     const std::array<W, 3> words = sets_.order_words(key_, at, b);
     const auto order = [&](std::size_t i) { return shuffled(point, sets_.bits(), words[i]); };
     const std::array<W, 3> orders{order(0), order(1), order(2)};
-    const Five<W> reversed{orders[0], second_sobol_reversed(orders[0]), orders[1], second_sobol_reversed(orders[1]),
+    const SampleBlock<W> reversed{orders[0], second_sobol_reversed(orders[0]), orders[1], second_sobol_reversed(orders[1]),
                            orders[2]};
     // The halves of a word are the lower halves of two factors, and only those are felt by digits that come soon after points part.
     const auto swapped = [](const W& word) { return W((word << 16) | (word >> 16)); };
-    const Five<W> factors{words[0], swapped(words[0]), words[1], swapped(words[1]), words[2]};
-    const Five<W> shifts = five_of(sets_.shared_words(key_, at, b));
+    const SampleBlock<W> factors{words[0], swapped(words[0]), words[1], swapped(words[1]), words[2]};
+    const SampleBlock<W> shifts = five_of(sets_.shared_words(key_, at, b));
     const auto following = following_digits(at, b);
-    Five<Real> numbers{};
+    SampleBlock<Real> numbers{};
     const auto make = [&](std::size_t i) {
       numbers[i] = scrambled<Real>(reversed[i], shifts[i], factors[i], following[i]);
     };
@@ -68,7 +68,7 @@ class PaddedSobol {
   // A number of 24 scrambled digits, after which come in double those of `following`. The shift is independent of the order and of the
   // factor, and makes the 24 uniform, exactly.
   template <class Real, class W>
-  static Real scrambled(const W& reversed, const W& shift, const W& factor, const Digits<W>& following) {
+  static Real scrambled(const W& reversed, const W& shift, const W& factor, const Fixed64<W>& following) {
     const W digits = reverse_bits(scramble_upwards(reversed, W(shift >> 8), factor));
     if constexpr (lanes<Real> == 1)
       return unit_number((digits & W(0xFFFFFF00u)) | (following.high >> 24), following.low);
@@ -76,13 +76,13 @@ class PaddedSobol {
   }
 
   template <class Real>
-  Five<Digits<Word<Real>>> following_digits(const PathVertex<Real>& at, std::uint32_t b) const {
+  SampleBlock<Fixed64<Word<Real>>> following_digits(const PathVertex<Real>& at, std::uint32_t b) const {
     if constexpr (lanes<Real> == 1) return independent_digits(key_, at, b);
     return {};
   }
 
   StreamKey key_;
-  SetsOfPoints sets_;
+  SampleSets sets_;
 };
 
 }  // namespace fairlight

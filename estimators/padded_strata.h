@@ -15,14 +15,14 @@ class PaddedStrata {
  public:
   PaddedStrata(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}
 
-  const SetsOfPoints& sets() const { return sets_; }
+  const SampleSets& sets() const { return sets_; }
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
+  SampleBlock<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
     using W = Word<Real>;
     const auto words = sets_.shared_words(key_, at, b);
     const W point = sets_.point_of(at.sample);
-    Five<Digits<W>> digits = independent_digits(key_, at, b);
+    SampleBlock<Fixed64<W>> digits = independent_digits(key_, at, b);
     const std::uint32_t rows = sets_.bits() / 2;  // the logarithms of their numbers
     const std::uint32_t columns = sets_.bits() - rows;
     for (std::size_t i = 0; i < (part == BlockPart::all ? 2 : 1); ++i) {
@@ -44,14 +44,14 @@ class PaddedStrata {
 
   // One of 2^bits strata, and the jitter's digits after the stratum's.
   template <class W>
-  static Digits<W> in_stratum_of(const W& stratum, std::uint32_t bits, const Digits<W>& jitter) {
+  static Fixed64<W> in_stratum_of(const W& stratum, std::uint32_t bits, const Fixed64<W>& jitter) {
     if (bits == 0) return jitter;
     const int own = static_cast<int>(bits);
     return {(stratum << (32 - own)) | (jitter.high >> own), (jitter.high << (32 - own)) | (jitter.low >> own)};
   }
 
   StreamKey key_;
-  SetsOfPoints sets_;
+  SampleSets sets_;
 };
 
 }  // namespace fairlight

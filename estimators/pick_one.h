@@ -46,7 +46,7 @@ class UniformChoice {
 /// The sum of n terms, each estimated: term(i, source) for every i; 0 where there are none.
 /// Bound    the sum of the terms' bounds
 /// Source   the paper, A.1 ("one random point from each of the luminaires")
-struct AllOf {
+struct AllLights {
   /// With which term i is drawn.
   template <class Real>
   static Real probability(int /*n*/, const Index<Real>& /*i*/) {
@@ -72,7 +72,7 @@ struct AllOf {
 /// are none.
 /// Bound    n times the hull of the terms' bounds
 /// Source   the paper, A.1 (the two-dice argument)
-struct OneOf {
+struct UniformLightSampler {
   /// With which term i is drawn.
   template <class Real>
   static Real probability(int n, const Index<Real>& /*i*/) {

@@ -76,8 +76,8 @@ inline bool all_finite(float x) {
 }
 
 /// The whole number below a nonnegative Real.
-inline int whole(double x) { return static_cast<int>(x); }
-inline int whole(float x) { return static_cast<int>(x); }
+inline int to_int(double x) { return static_cast<int>(x); }
+inline int to_int(float x) { return static_cast<int>(x); }
 
 /// The first 24 bits of a number in [0,1), at the top of a word; and a word below 2^31 as an index, or an index as a word.
 inline std::uint32_t leading_bits(double x) { return static_cast<std::uint32_t>(x * 0x1p24) << 8; }

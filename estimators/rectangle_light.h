@@ -4,7 +4,7 @@
 
 #include <fairlight/estimators/light_sample.h>
 #include <fairlight/estimators/ranges.h>
-#include <fairlight/estimators/rectangle_view.h>
+#include <fairlight/estimators/spherical_rectangle.h>
 
 namespace fairlight {
 
@@ -137,7 +137,7 @@ class RectangleBySolidAngle {
 
   LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
     const Vec3<Real> corner = rectangle_.corner_from(from);
-    const RectangleView<Real> view(corner, rectangle_.width(), rectangle_.height());
+    const SphericalRectangle<Real> view(corner, rectangle_.width(), rectangle_.height());
     const Vec3<Real> way = view.at(u);
     const Real length = way.norm();
     return {rectangle_.from_axes(way / length), view.scale() * length, density(view)};
@@ -145,12 +145,12 @@ class RectangleBySolidAngle {
 
   Density<SolidAngle, Real> pdf(const Vec3<Real>& from, const Vec3<Real>& direction) const {
     const Mask<Real> met = rectangle_.meeting(from, direction).cosine > Real(0);
-    const RectangleView<Real> view(rectangle_.corner_from(from), rectangle_.width(), rectangle_.height());
+    const SphericalRectangle<Real> view(rectangle_.corner_from(from), rectangle_.width(), rectangle_.height());
     return Density<SolidAngle, Real>(select(met, density(view).value(), Real(0)));
   }
 
  private:
-  static Density<SolidAngle, Real> density(const RectangleView<Real>& view) {
+  static Density<SolidAngle, Real> density(const SphericalRectangle<Real>& view) {
     const Real all_of_it = view.solid_angle();
     const Mask<Real> seen = view.seen() && all_of_it * Real(largest_density<Real>) >= Real(1);
     return Density<SolidAngle, Real>(select(seen, Real(Real(1) / all_of_it), Real(0)));

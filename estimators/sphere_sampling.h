@@ -1,7 +1,7 @@
 #pragma once
 
-#include <fairlight/estimators/sphere_light.h>
-#include <fairlight/estimators/sphere_view.h>
+#include <fairlight/estimators/uniform_sphere_area.h>
+#include <fairlight/estimators/sphere_from_point.h>
 
 namespace fairlight {
 
@@ -48,19 +48,19 @@ class SphereByVisibleHemisphere {
   explicit SphereByVisibleHemisphere(const SphereLight<Real>& sphere) : sphere_(sphere), points_(sphere.radius()) {}
 
   LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
-    const SphereView<Real> view = sphere_.seen_from(from);
+    const SphereFromPoint<Real> view = sphere_.seen_from(from);
     const Real part = drawn_part(view);
     const Vec3<Real> normal = points_.sample({part * u.x(), u.y()});
     return view.towards(normal, Density<Area, Real>(points_.pdf(normal).value() / part));
   }
 
   Density<SolidAngle, Real> pdf(const Vec3<Real>& from, const Vec3<Real>& direction) const {
-    const SphereView<Real> view = sphere_.seen_from(from);
+    const SphereFromPoint<Real> view = sphere_.seen_from(from);
     return view.over_angle(direction, Density<Area, Real>(points_.pdf(direction).value() / drawn_part(view)));
   }
 
  private:
-  static Real drawn_part(const SphereView<Real>& view) { return select(view.outside(), Real(0.5), Real(1)); }
+  static Real drawn_part(const SphereFromPoint<Real>& view) { return select(view.outside(), Real(0.5), Real(1)); }
 
   SphereLight<Real> sphere_;
   Points<Real> points_;

@@ -44,7 +44,7 @@ class Splitting {
   }
 
  private:
-  int whole_runs() const { return whole(k_); }
+  int whole_runs() const { return to_int(k_); }
   double fraction() const { return k_ - whole_runs(); }
 
   Inner inner_;

@@ -45,11 +45,11 @@ inline double unit_number_of_halves(std::uint32_t high, std::uint32_t low) {
 
 /// Five of something, as many as a block of random words has numbers of 24 digits.
 template <class Number>
-using Five = std::array<Number, 5>;
+using SampleBlock = std::array<Number, 5>;
 
 /// Five numbers of 24 digits each, at the top of their words: four words' own, and the lower 8 of three.
 template <class W>
-Five<W> five_of(const std::array<W, 4>& words) {
+SampleBlock<W> five_of(const std::array<W, 4>& words) {
   const W low(0xFFu);
   const W last = ((words[0] & low) << 24) | ((words[1] & low) << 16) | ((words[2] & low) << 8);
   return {words[0], words[1], words[2], words[3], last};
@@ -140,7 +140,7 @@ class PhiloxStream<xsimd::batch<float, A>> {
  private:
   typename Philox<Word>::Key key_;
   typename Philox<Word>::Counter counter_;
-  Five<Word> five_{};
+  SampleBlock<Word> five_{};
   std::size_t used_ = five_.size();
 };
 

@@ -20,7 +20,7 @@ enum class BlockPart { all, first_pair };
 
 /// 64 binary digits of a number in [0,1), of which packets use the first 24.
 template <class W>
-struct Digits {
+struct Fixed64 {
   W high, low;
 };
 
@@ -34,7 +34,7 @@ std::array<Word<Real>, 4> vertex_words(const StreamKey& key, std::uint32_t i, co
 
 /// Five independent numbers of block b, in packets 24 digits of each. What a set shares is counted from 2^31 on.
 template <class Real>
-Five<Digits<Word<Real>>> independent_digits(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) {
+SampleBlock<Fixed64<Word<Real>>> independent_digits(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) {
   using W = Word<Real>;
   const auto first = vertex_words(key, 4 * b, at.sample, at);
   if constexpr (lanes<Real> == 1) {
@@ -46,7 +46,7 @@ Five<Digits<Word<Real>>> independent_digits(const StreamKey& key, const PathVert
              {second[2], second[3]},
              {third[0], third[1]}}};
   } else {
-    const Five<W> numbers = five_of(first);
+    const SampleBlock<W> numbers = five_of(first);
     const W none(0u);
     return {{{numbers[0], none}, {numbers[1], none}, {numbers[2], none}, {numbers[3], none}, {numbers[4], none}}};
   }
@@ -54,8 +54,8 @@ Five<Digits<Word<Real>>> independent_digits(const StreamKey& key, const PathVert
 
 /// As numbers.
 template <class Real>
-Five<Real> unit_numbers(const Five<Digits<Word<Real>>>& digits) {
-  Five<Real> numbers;
+SampleBlock<Real> unit_numbers(const SampleBlock<Fixed64<Word<Real>>>& digits) {
+  SampleBlock<Real> numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = unit_number(digits[i].high, digits[i].low);
   return numbers;
 }
@@ -67,7 +67,7 @@ class IndependentNumbers {
   explicit IndependentNumbers(const StreamKey& key, std::uint32_t /*points of a set*/ = 1) : key_(key) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart /*part*/ = BlockPart::all) const {
+  SampleBlock<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart /*part*/ = BlockPart::all) const {
     return unit_numbers<Real>(independent_digits(key_, at, b));
   }
 
@@ -88,10 +88,10 @@ W mixed_bits(W x) {
 
 /// A pixel's samples may come in sets of n = 2^m points that are spread together: samples 0 .. n-1, n .. 2n-1 and so on.
 /// Sets, pixels, vertices and blocks have shared words that are independent of each other.
-class SetsOfPoints {
+class SampleSets {
  public:
   /// Throws std::invalid_argument unless n is a power of two from 1 to 1024.
-  explicit SetsOfPoints(std::uint32_t n) : bits_(static_cast<std::uint32_t>(std::bit_width(n)) - 1) {
+  explicit SampleSets(std::uint32_t n) : bits_(static_cast<std::uint32_t>(std::bit_width(n)) - 1) {
     if (!std::has_single_bit(n) || n > 1024)
       throw std::invalid_argument("a set of " + std::to_string(n) +
                                   " points (give a power of two, from 1 to 1024)");
@@ -184,7 +184,7 @@ class VertexSource {
   const Numbers& numbers_;
   PathVertex<Real> at_;
   BlockPart part_;
-  Five<Real> block_{};
+  SampleBlock<Real> block_{};
   std::array<Real, 2> singles_{};
   std::uint32_t blocks_ = 0;
   std::size_t pairs_left_ = 0, singles_left_ = 0;

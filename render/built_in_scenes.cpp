@@ -1,7 +1,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <fairlight/render/cornell.h>
+#include <fairlight/render/built_in_scenes.h>
 #include <fairlight/render/nearest_names.h>
 
 namespace fairlight {

@@ -1,4 +1,4 @@
-#include <fairlight/render/cornell.h>
+#include <fairlight/render/built_in_scenes.h>
 
 namespace fairlight {
 

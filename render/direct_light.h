@@ -56,8 +56,8 @@ struct PointsBy {
 
 /// All to the shadow rays: what a bounce finds counts nothing, unless it has no density, as no shadow ray can find it.
 /// Source   the paper, A.2
-struct LightAlone {
-  static constexpr bool finds_all_light() { return true; }
+struct NextEventOnly {
+  static constexpr bool next_event_only() { return true; }
   template <class Measure, class Real>
   static Real weight(const std::array<Real, 2>&, const std::array<Density<Measure, Real>, 2>&, std::size_t i) {
     return i == 0 ? Real(1) : Real(0);
@@ -67,12 +67,12 @@ struct LightAlone {
 /// Shared with the bounces, by a heuristic of multiple importance sampling.
 /// Source   Veach and Guibas 1995
 template <class Heuristic = BalanceHeuristic>
-struct Shared : Heuristic {
-  static constexpr bool finds_all_light() { return false; }
+struct MisWeighted : Heuristic {
+  static constexpr bool next_event_only() { return false; }
 };
 
 /// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of them or
-/// of one of them: `Luminaires` says which (AllOf, OneOf, OneBy), `Points` where on it, and `Sharing` what it counts where a bounce
+/// of one of them: `Luminaires` says which (AllLights, UniformLightSampler, LightSampler), `Points` where on it, and `Sharing` what it counts where a bounce
 /// may find the same point.
 /// Formula  sum over L of  w f Le cos / p_w, where the point is seen; else 0
 /// Measure  solid angle, by Points
@@ -83,7 +83,7 @@ struct Shared : Heuristic {
 /// Bound    per luminaire, max(Le f cos / p_w): by area at most A max(Le f) / d^2 with d the smallest distance from the
 ///          vertex to the luminaire, by cone S max(Le f) with S the cone's solid angle
 /// Source   Shirley, Wang, Zimmerman 1996; the paper, 3.2 and A.1
-template <class Luminaires, class Points = PointsBy<SphereByArea>, class Sharing = LightAlone>
+template <class Luminaires, class Points = PointsBy<SphereByArea>, class Sharing = NextEventOnly>
 class DirectLight {
  public:
   explicit DirectLight(Luminaires luminaires = Luminaires(), Points points = Points(), Sharing sharing = Sharing())
@@ -94,13 +94,13 @@ class DirectLight {
   template <class Real, class Scene>
   Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
     const Mask<Real> single = density == Real(0);
-    if (sharing_.finds_all_light()) return select(single, Real(1), Real(0));
+    if (sharing_.next_event_only()) return select(single, Real(1), Real(0));
     const LightTable<Real>& lights = scene.lights();
-    const Real light = lights.index(whole(surface));
+    const Real light = lights.index(to_int(surface));
     const Mask<Real> found = !single && light >= Real(0);
     if (!any(found)) return Real(1);
-    const Index<Real> i = whole(Real(select(found, light, Real(0))));
-    const auto by_light = points_.pdf(lights, i, ray.leaving == surface, ray.origin, ray.direction);
+    const Index<Real> i = to_int(Real(select(found, light, Real(0))));
+    const auto by_light = points_.pdf(lights, i, ray.origin_primitive == surface, ray.origin, ray.direction);
     const Real chosen = seen_from(lights, ray.origin).template probability<Real>(lights.size(), i);
     const Density<SolidAngle, Real> by_bounce(select(found, density, Real(1)));
     const Real shared = sharing_.weight(std::array{chosen, Real(1)}, std::array{by_light, by_bounce}, 1);
@@ -111,7 +111,7 @@ class DirectLight {
   }
 
   /// Whether a bounce that has a density need not look for light.
-  bool finds_all_light() const { return sharing_.finds_all_light(); }
+  bool next_event_only() const { return sharing_.next_event_only(); }
 
   template <class Real, class Scene, UniformSource<Real> Source, class Bsdf>
   Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
@@ -121,7 +121,7 @@ class DirectLight {
     const auto& choice = seen_from(lights, vertex.position);
     const auto term = [&](const auto& i, Source& numbers) {
       const Index<Real> light(i);
-      const Real chosen = finds_all_light() ? Real(1) : choice.template probability<Real>(lights.size(), light);
+      const Real chosen = next_event_only() ? Real(1) : choice.template probability<Real>(lights.size(), light);
       return from(light, chosen, scene, vertex, bsdf, numbers, asked);
     };
     return choice.template sum<Real>(lights.size(), source, term);
@@ -154,7 +154,7 @@ class DirectLight {
     const Mask<Real> seen =
         counts && scene.visible({vertex.position, towards, vertex.surface}, distance, surface, counts);
     Real factor = vertex.normal.dot(towards) / select(exists, density.value(), Real(1));
-    if (!sharing_.finds_all_light()) {
+    if (!sharing_.next_event_only()) {
       factor *= sharing_.weight(std::array{chosen, Real(1)}, std::array{density, bsdf.pdf_world(towards)}, 0);
     }
     return select(seen, Rgb<Real>(lights.emission(light) * reflected * factor), zero<Rgb<Real>>());
@@ -167,18 +167,18 @@ class DirectLight {
 
 /// One of a scene's luminaires by its power.
 template <class Real = double>
-OneBy<PowerChoice<Real>> one_by_power(const Scene& scene) {
+LightSampler<PowerChoice<Real>> one_by_power(const Scene& scene) {
   std::vector<double> powers;
   for (const Luminaire& light : scene.luminaires()) powers.push_back(power_of(light));
-  return OneBy(PowerChoice<Real>(powers));
+  return LightSampler(PowerChoice<Real>(powers));
 }
 
 /// One of a scene's luminaires by what it may bring to the vertex: see LightTable::contribution.
-struct OneByContribution {
+struct ContributionLightSampler {
   template <class Real>
   static auto seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) {
     const auto weight = [&lights, point](const Index<Real>& i) { return lights.contribution(i, point); };
-    return OneBy(ContributionChoice<Real, decltype(weight)>(lights.size(), weight));
+    return LightSampler(ContributionChoice<Real, decltype(weight)>(lights.size(), weight));
   }
 };
 
@@ -189,7 +189,7 @@ struct NoDirectLight {
   static Real emission_weight(const Scene&, const Ray<Real>&, const Real& /*surface*/, const Real& /*density*/) {
     return Real(1);
   }
-  static constexpr bool finds_all_light() { return false; }
+  static constexpr bool next_event_only() { return false; }
 
   template <class Real, class Scene, UniformSource<Real> Source, class Bsdf>
   static Rgb<Real> estimate(const Scene&, const Vertex<Real>&, const Bsdf&, Source&, const Mask<Real>&) {

@@ -18,7 +18,7 @@
 #include <fairlight/estimators/vertex_source.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/raster.h>
-#include <fairlight/render/whole_file.h>
+#include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/version.h>
 
@@ -30,13 +30,13 @@ constexpr std::size_t halves = 2 * ExactMoments::word_count;  // 32-bit halves o
 
 class ExrStream : public Imf::OStream {
  public:
-  ExrStream(WholeFile& file, const std::string& path) : OStream(path.c_str()), file_(file) {}
+  ExrStream(AtomicFile& file, const std::string& path) : OStream(path.c_str()), file_(file) {}
   void write(const char bytes[], int n) override { file_.write({bytes, static_cast<std::size_t>(n)}); }
   std::uint64_t tellp() override { return file_.position(); }
   void seekp(std::uint64_t position) override { file_.seek(position); }
 
  private:
-  WholeFile& file_;
+  AtomicFile& file_;
 };
 
 // One row of one channel at a time: planes of a row, in the order of `names`.
@@ -183,7 +183,7 @@ bool has_sums(const Imf::Header& header, const RenderSettings& settings) {
 // What the ledger says was sampled is what every pixel has counted.
 void check_counts(const Picture& picture) {
   const std::uint64_t total = picture.samples.total();
-  const std::uint32_t points = SetsOfPoints(picture.settings.points).size();
+  const std::uint32_t points = SampleSets(picture.settings.points).size();
   for (int y = 0; y < picture.film.height(); ++y) {
     for (int x = 0; x < picture.film.width(); ++x) {
       for (const ExactMoments& moments : picture.film.at(x, y)) {
@@ -212,7 +212,7 @@ Picture read_parts(Imf::MultiPartInputFile& file) {
 }  // namespace
 
 void write_exr(const std::string& path, const Picture& picture) {
-  WholeFile whole(path);
+  AtomicFile to_int(path);
   {
     ExrStream stream(whole, path);
     const std::vector<Imf::Header> parts = headers(picture);
@@ -236,7 +236,7 @@ void write_exr(const std::string& path, int width, int height, const std::vector
         const_cast<float*>(plane.values.data());  // a slice is read from here, though its type could be written to
     buffer.insert(plane.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), sizeof(float), row));
   }
-  WholeFile whole(path);
+  AtomicFile to_int(path);
   {
     ExrStream stream(whole, path);
     Imf::OutputFile file(stream, header);

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include <fairlight/render/file_lock.h>
-#include <fairlight/render/whole_file.h>
+#include <fairlight/render/atomic_file.h>
 
 namespace fairlight {
 

@@ -32,7 +32,7 @@ class FileLock {
 /// locked is an empty file beside it, F.lock, and not the file itself, as that becomes another one when it is replaced.
 class OutputLock {
  public:
-  /// Follows a symbolic link as WholeFile does. Throws std::runtime_error when another run has the lock, or the folder
+  /// Follows a symbolic link as AtomicFile does. Throws std::runtime_error when another run has the lock, or the folder
   /// cannot be written.
   explicit OutputLock(const std::string& path);
   OutputLock(const OutputLock&) = delete;

@@ -46,7 +46,7 @@ class Geometry {
                                    [&](std::size_t i) { return scene.surfaces()[i].shape.curvature; })) {
     for (std::size_t i = 0; i < scene.surfaces().size(); ++i) {
       const Surface& surface = scene.surfaces()[i];
-      const bool obstacle = may_obstruct(scene, i);
+      const bool obstacle = can_occlude(scene, i);
       const auto add = [&](auto& all, auto& obstacles, const auto& shape) {
         all.push_back({shape, static_cast<Number>(i)});
         if (obstacle) obstacles.push_back(all.back());
@@ -69,21 +69,21 @@ class Geometry {
     Real dark(0);
     Nearest nearest;
     each(lit_inside_, ray, [&](const auto& sphere, const Mask<Real>& leaving, Real index) {
-      const auto [exit, twice_level] = sphere.exit(ray.origin, ray.direction, leaving);
+      const auto [exit, twice_implicit] = sphere.exit(ray.origin, ray.direction, leaving);
       nearest.add(exit, index);
-      dark = max(dark, twice_level);
+      dark = max(dark, twice_implicit);
     });
     each(lit_outside_, ray, [&](const auto& sphere, const Mask<Real>& leaving, Real index) {
-      const auto [entry, twice_level] = sphere.entry(ray.origin, ray.direction, leaving);
+      const auto [entry, twice_implicit] = sphere.entry(ray.origin, ray.direction, leaving);
       nearest.add(entry, index);
-      dark = max(dark, Real(-twice_level));
+      dark = max(dark, Real(-twice_implicit));
     });
     const auto meet = [&](const auto& shape, const Mask<Real>& leaving, Real index) {
       nearest.add(shape.crossing(ray.origin, ray.direction, leaving), index);
     };
     each(spheres_, ray, meet);
     each(rectangles_, ray, meet);
-    const Mask<Real> unlit = dark > Real(0) && ray.leaving < Real(0);
+    const Mask<Real> unlit = dark > Real(0) && ray.origin_primitive < Real(0);
     return {select(unlit, Real(infinity<Real>), nearest.crossing.distance()),
             select(unlit, Real(-1), nearest.surface)};
   }
@@ -126,10 +126,10 @@ class Geometry {
   }
 
   struct Nearest {
-    Crossing<Real> crossing = Crossing<Real>::nowhere();
+    RationalHit<Real> crossing = RationalHit<Real>::nowhere();
     Real surface = Real(-1);
 
-    void add(const Crossing<Real>& other, Real index) {
+    void add(const RationalHit<Real>& other, Real index) {
       const Mask<Real> closer = other.before(crossing);
       crossing = {select(closer, other.numerator, crossing.numerator),
                   select(closer, other.denominator, crossing.denominator)};
@@ -139,7 +139,7 @@ class Geometry {
 
   static void each(const auto& shapes, const Ray<Real>& ray, const auto& visit) {
     for (const auto& [shape, index] : shapes)
-      visit(shape.template in<Real>(), ray.leaving == Real(index), Real(index));
+      visit(shape.template in<Real>(), ray.origin_primitive == Real(index), Real(index));
   }
 
   std::vector<Indexed<Sphere<Number>>> lit_inside_, lit_outside_, spheres_, spheres_between_;

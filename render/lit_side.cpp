@@ -55,7 +55,7 @@ LitSide lit_side(const Scene& scene, std::size_t surface) {
   return for_all_luminaires(scene, obstacle.shape, is_outside) ? LitSide::outside : LitSide::either;
 }
 
-bool may_obstruct(const Scene& scene, std::size_t surface) {
+bool can_occlude(const Scene& scene, std::size_t surface) {
   const Surface& obstacle = scene.surfaces()[surface];
   if (scene.luminaires().size() == 1 && emits(obstacle)) return false;
   if (!obstacle.rectangle) return lit_side(scene, surface) != LitSide::inside;

@@ -18,6 +18,6 @@ LitSide lit_side(const Scene& scene, std::size_t surface);
 /// has both on the same side of it and is convex: a sphere that is lit inside, a rectangle to one side of whose plane there is no
 /// surface, and the only luminaire.
 /// Domain   the index of a surface of the scene
-bool may_obstruct(const Scene& scene, std::size_t surface);
+bool can_occlude(const Scene& scene, std::size_t surface);
 
 }  // namespace fairlight

@@ -73,7 +73,7 @@ class PathTracer {
   Mask<Real> advance(const Scene& scene, Path<Real>& path, Source& source, Mask<Real> alive) const {
     const Hit<Real> hit = scene.intersect(path.ray, alive);
     alive = alive && hit.surface >= Real(0);
-    const auto surface = whole(Real(select(alive, hit.surface, Real(0))));
+    const auto surface = to_int(Real(select(alive, hit.surface, Real(0))));
     const Real weight =
         direct_.emission_weight(scene, path.ray, Real(select(alive, hit.surface, Real(0))), path.density);
     path.radiance +=
@@ -94,7 +94,7 @@ class PathTracer {
   template <class Real, class Bsdf, class Source>
   Mask<Real> bounce(Path<Real>& path, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
                     Mask<Real> alive) const {
-    if (direct_.finds_all_light() && max_depth_ != no_limit) {
+    if (direct_.next_event_only() && max_depth_ != no_limit) {
       // The last vertex would only look for light: a bounce that has a density leaves that to the shadow ray.
       const Mask<Real> last = path.depth + Real(1) == Real(static_cast<Lane<Real>>(max_depth_));
       if (any(last)) alive = alive && (!last || bsdf.is_single());

@@ -6,7 +6,7 @@
 
 #include <fairlight/render/picture.h>
 #include <fairlight/render/raster.h>
-#include <fairlight/render/whole_file.h>
+#include <fairlight/render/atomic_file.h>
 
 namespace fairlight {
 namespace {

@@ -60,7 +60,7 @@ View with_camera_of(const RenderSettings& settings, View view) {
 }
 
 void check_whole_sets(const RenderSettings& settings, std::uint64_t samples) {
-  const std::uint64_t rest = samples % SetsOfPoints(settings.points).size();
+  const std::uint64_t rest = samples % SampleSets(settings.points).size();
   if (rest == 0) return;
   const std::string fewer = samples == rest ? "" : std::to_string(samples - rest) + " or ";
   throw std::invalid_argument(std::to_string(samples) + " samples are no whole sets of " +

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 
-#include <fairlight/render/cornell.h>
+#include <fairlight/render/built_in_scenes.h>
 #include <fairlight/render/film.h>
 #include <fairlight/render/settings.h>
 

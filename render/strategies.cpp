@@ -86,7 +86,7 @@ Strategies::Strategies(const RenderSettings& settings, const Scene& scene)
       random(choose<Random>("kind of random numbers", settings.random,
                             std::pair("independent", Random::independent), std::pair("sobol", Random::sobol),
                             std::pair("stratified", Random::stratified))),
-      points(SetsOfPoints(settings.points).size()),
+      points(SampleSets(settings.points).size()),
       max_depth(settings.max_depth) {
   check_ends(*this);
   if (random == Random::independent && points != 1)

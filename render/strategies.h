@@ -109,30 +109,30 @@ class ChosenLuminaires {
     Real probability(int n, const Index<Real>& i) const {
       switch (which(n)) {
         case Strategies::WhichLight::one:
-          return OneOf::probability<Real>(n, i);
+          return UniformLightSampler::probability<Real>(n, i);
         case Strategies::WhichLight::power:
           return chosen.by_power_.template probability<Real>(n, i);
         case Strategies::WhichLight::contribution:
-          return OneByContribution::seen_from(lights, point).template probability<Real>(n, i);
+          return ContributionLightSampler::seen_from(lights, point).template probability<Real>(n, i);
         case Strategies::WhichLight::all:
           break;
       }
-      return AllOf::probability<Real>(n, i);
+      return AllLights::probability<Real>(n, i);
     }
 
     template <class, class Source, class Term>
     auto sum(int n, Source& source, const Term& term) const {
       switch (which(n)) {
         case Strategies::WhichLight::one:
-          return OneOf::sum<Real>(n, source, term);
+          return UniformLightSampler::sum<Real>(n, source, term);
         case Strategies::WhichLight::power:
           return chosen.by_power_.template sum<Real>(n, source, term);
         case Strategies::WhichLight::contribution:
-          return OneByContribution::seen_from(lights, point).template sum<Real>(n, source, term);
+          return ContributionLightSampler::seen_from(lights, point).template sum<Real>(n, source, term);
         case Strategies::WhichLight::all:
           break;
       }
-      return AllOf::sum<Real>(n, source, term);
+      return AllLights::sum<Real>(n, source, term);
     }
     const ChosenLuminaires& chosen;
     const LightTable<Real>& lights;
@@ -140,16 +140,16 @@ class ChosenLuminaires {
   };
 
   Strategies::WhichLight which_;
-  OneBy<PowerChoice<Real>> by_power_;
+  LightSampler<PowerChoice<Real>> by_power_;
 };
 
 /// What a shadow ray counts.
 struct ChosenSharing {
-  bool finds_all_light() const { return direct == Strategies::Direct::light; }
+  bool next_event_only() const { return direct == Strategies::Direct::light; }
   template <class Real>
   Real weight(const std::array<Real, 2>& n, const std::array<Density<SolidAngle, Real>, 2>& p,
               std::size_t i) const {
-    return finds_all_light() ? LightAlone::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
+    return next_event_only() ? NextEventOnly::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
   }
   Strategies::Direct direct;
 };
@@ -165,7 +165,7 @@ class ChosenDirect {
   Real emission_weight(const auto& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
     return none_ ? Real(1) : direct_.emission_weight(scene, ray, surface, density);
   }
-  bool finds_all_light() const { return direct_.finds_all_light(); }
+  bool next_event_only() const { return direct_.next_event_only(); }
 
   template <class, class Scene, class Source, class Bsdf>
   Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
@@ -240,7 +240,7 @@ class ChosenNumbers {
         strata_(key, strategies.points) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part) const {
+  SampleBlock<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part) const {
     if (random_ == Strategies::Random::independent) [[likely]]
       return independent_.block(at, b, part);
     return block_of_set(at, b, part);
@@ -249,7 +249,7 @@ class ChosenNumbers {
  private:
   /// Called, not inlined, so that independent numbers are as fast as if there were no others.
   template <class Real>
-  [[gnu::noinline, gnu::flatten]] Five<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b,
+  [[gnu::noinline, gnu::flatten]] SampleBlock<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b,
                                                           BlockPart part) const {
     return random_ == Strategies::Random::sobol ? sobol_.block(at, b, part) : strata_.block(at, b, part);
   }

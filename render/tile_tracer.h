@@ -120,7 +120,7 @@ class TileTracer : public TileRenderer {
     }
 
     /// Vertex 0 is the camera, so the first after it is 1.
-    static Word<Real> vertex_of(const Path<Real>& path) { return word_of(whole(path.depth)) + Word<Real>(1u); }
+    static Word<Real> vertex_of(const Path<Real>& path) { return word_of(to_int(path.depth)) + Word<Real>(1u); }
 
     /// Gives jobs to idle lanes, and returns those that are still idle.
     FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
@@ -145,7 +145,7 @@ class TileTracer : public TileRenderer {
         return all;
       }();
       const Mask<Real> starts = expand(given, ones.data(), Real(0)) > Real(0);
-      path.ray.leaving = select(starts, Real(-1), path.ray.leaving);
+      path.ray.origin_primitive = select(starts, Real(-1), path.ray.origin_primitive);
       begin_paths(path, starts);
       alive = alive || starts;
     }

@@ -199,17 +199,17 @@ Wealth BettingTest::wealth_for(double margin) const {
     throw std::invalid_argument(
         "the mean, with a margin that is asked for later, must lie inside the declared range");
   }
-  LogProduct too_bright, too_dark, not_brighter, not_darker;
+  LogProduct above_reference, below_reference, not_brighter, not_darker;
   for (const Block& block : blocks_) {
     const double bet = bet_on(margin, block.outlook.variance, block.outlook.skew);
     const Gains refuting = refute(block, bet);
     const Gains certifying = certify(block, bet, margin);
-    too_bright.multiply(1 + refuting.up);
-    too_dark.multiply(1 + refuting.down);
+    above_reference.multiply(1 + refuting.up);
+    below_reference.multiply(1 + refuting.down);
     not_brighter.multiply(1 + certifying.down);
     not_darker.multiply(1 + certifying.up);
   }
-  return {too_bright.log(), too_dark.log(), not_brighter.log(), not_darker.log()};
+  return {above_reference.log(), below_reference.log(), not_brighter.log(), not_darker.log()};
 }
 
 void BettingTest::decide() {

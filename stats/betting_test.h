@@ -49,8 +49,8 @@ struct NoMoreDraws : std::length_error {
 
 /// The logarithms of what four processes have made of 1.
 struct Wealth {
-  double too_bright;    ///< U0, which bets that the mean is above the reference
-  double too_dark;      ///< D0, that it is below
+  double above_reference;    ///< U0, which bets that the mean is above the reference
+  double below_reference;      ///< D0, that it is below
   double not_brighter;  ///< D1, that it is below the reference and its margin
   double not_darker;    ///< U1, that it is above the reference less its margin
 };

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include <fairlight/stats/account.h>
+#include <fairlight/stats/evidence_sum.h>
 #include <fairlight/stats/betting_test.h>
 #include <fairlight/stats/mean_test.h>
 
@@ -57,7 +57,7 @@ struct Evidence {
   std::vector<Cells> laws;
   std::vector<Course> means;  ///< one a channel; of a mean in parts, those of the first and then those of the next
   Tiles tiles;
-  Ladder ladder;  ///< one a channel, for an account of many runs
+  MarginGrid margin_grid;  ///< one a channel, for an evidence_sum of many runs
 
   /// Who wants the draws of a test of means themselves: told at its end (of a mean in parts, at the end of each) what was claimed of
   /// them, where they come from, and how many the test took. Those, and any beyond, may be drawn again while it listens, where a draw is a function of its number.

@@ -77,21 +77,21 @@ void tell_listener(const Trial& trial, const std::vector<Reference>& references,
   trial.evidence->listener(references, draw_block, draws);
 }
 
-// Adds channels to the ladder of a claim, which may make several tests.
-void leave_ladder(const Trial& trial, const Ladder& ladder) {
+// Adds channels to the margin_grid of a claim, which may make several tests.
+void leave_ladder(const Trial& trial, const MarginGrid& margin_grid) {
   if (trial.evidence == nullptr) return;
-  Ladder& all = trial.evidence->ladder;
-  all.first = ladder.first;
-  all.channels.insert(all.channels.end(), ladder.channels.begin(), ladder.channels.end());
+  MarginGrid& all = trial.evidence->margin_grid;
+  all.first = margin_grid.first;
+  all.channels.insert(all.channels.end(), margin_grid.channels.begin(), margin_grid.channels.end());
 }
 
-Ladder ladder_of(const Trial& trial, const std::vector<BettingTest>& tests,
+MarginGrid ladder_of(const Trial& trial, const std::vector<BettingTest>& tests,
                  const std::vector<Reference>& references) {
-  Ladder ladder{first_rung(trial.margin), {}};
+  MarginGrid margin_grid{first_level(trial.margin), {}};
   for (std::size_t c = 0; c < tests.size(); ++c) {
-    ladder.channels.push_back(wealth_at_rungs(tests[c], trial.margin, references[c].scale));
+    margin_grid.channels.push_back(wealth_at_rungs(tests[c], trial.margin, references[c].scale));
   }
-  return ladder;
+  return margin_grid;
 }
 
 // The bias of the worst channel over a few draws, for the report alone: the verdict rests on a draw out of its

@@ -5,7 +5,7 @@
 
 #include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/report/report.h>
 
 namespace fairlight {
@@ -18,10 +18,10 @@ double margin() {
 }
 
 // The one loop: everything that is claimed of the kit, with a fresh seed.
-TEST(Conformance, EveryClaimIsCertified) {
-  const Conformance conformance{{.seed = fresh_seed(), .margin = margin()}, hardware_threads()};
-  const auto outcomes = run_claims(select_claims({}), conformance);
-  print_outcomes(stdout, outcomes, conformance);
+TEST(RunOptions, EveryClaimIsCertified) {
+  const RunOptions run_options{{.seed = fresh_seed(), .margin = margin()}, hardware_threads()};
+  const auto outcomes = run_claims(select_claims({}), run_options);
+  print_outcomes(stdout, outcomes, run_options);
   EXPECT_EQ(overall(outcomes), Verdict::certified);
   const auto resting_on = [&](Guarantee guarantee) {
     return std::ranges::count_if(outcomes, [=](const Outcome& o) { return o.finding.guarantee == guarantee; });

@@ -3,7 +3,7 @@
 #include <support/house.h>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {

@@ -11,7 +11,7 @@
 #include <fairlight/estimators/lens.h>
 #include <fairlight/estimators/lobe.h>
 #include <fairlight/estimators/sphere_directions.h>
-#include <fairlight/estimators/sphere_light.h>
+#include <fairlight/estimators/uniform_sphere_area.h>
 
 namespace {
 

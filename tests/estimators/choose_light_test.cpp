@@ -53,7 +53,7 @@ void expect_nothing(const Choice& choice) {
   EXPECT_EQ(choice.sample({0.5, 0.5}).probability.value(), 0);
   ScriptedSource source({0.5, 0.5});
   const auto no_term = [](int, ScriptedSource&) -> double { throw std::logic_error("nothing was to be chosen"); };
-  EXPECT_EQ(OneBy(choice).template sum<double>(choice.size(), source, no_term), 0);
+  EXPECT_EQ(LightSampler(choice).template sum<double>(choice.size(), source, no_term), 0);
 }
 
 TEST(PowerChoice, ChoosesNothingAmongNothingOrWhereNothingHasPower) {
@@ -203,16 +203,16 @@ TEST(ContributionChoice, RefusesWhatIsNoWeightInAnyLane) {
   }
 }
 
-TEST(OneBy, DividesTheTermByItsProbability) {
+TEST(LightSampler, DividesTheTermByItsProbability) {
   ScriptedSource source({0.5, 0, 0.25});
   const auto term = [](int i, ScriptedSource& numbers) { return i * numbers.next(); };
-  EXPECT_EQ(OneBy(by_power).sum<double>(6, source, term), 4 * 0.25 / 0.625);
+  EXPECT_EQ(LightSampler(by_power).sum<double>(6, source, term), 4 * 0.25 / 0.625);
   EXPECT_TRUE(source.exhausted());
 }
 
 // 2 to 4 with probability 1/4, -3 with 3/4; what is never chosen bounds nothing.
-TEST(OneBy, LiesWithinTheHullOfTheBoundsOverTheirProbabilities) {
-  using One = OneBy<PowerChoice<double>>;
+TEST(LightSampler, LiesWithinTheHullOfTheBoundsOverTheirProbabilities) {
+  using One = LightSampler<PowerChoice<double>>;
   const std::vector<Bound> terms{{2, 4}, {-3, -3}, {}};
   const std::vector<double> probabilities{0.25, 0.75, 0};
   EXPECT_EQ(One::bound(terms, probabilities), (Bound{-4, 16}));
@@ -222,10 +222,10 @@ TEST(OneBy, LiesWithinTheHullOfTheBoundsOverTheirProbabilities) {
   EXPECT_THROW(One::bound(terms, std::vector<double>{0.5, 0.5, std::nan("")}), std::invalid_argument);
 }
 
-TEST(OneBy, RefusesAnotherNumberOfTerms) {
+TEST(LightSampler, RefusesAnotherNumberOfTerms) {
   ScriptedSource source({0.5, 0, 0.25});
   const auto term = [](int, ScriptedSource&) { return 1.0; };
-  EXPECT_THROW(OneBy(by_power).sum<double>(5, source, term), std::invalid_argument);
+  EXPECT_THROW(LightSampler(by_power).sum<double>(5, source, term), std::invalid_argument);
 }
 
 TEST(PowerChoice, RefusesWeightsWhoseSumIsNotFinite) {
@@ -235,10 +235,10 @@ TEST(PowerChoice, RefusesWeightsWhoseSumIsNotFinite) {
 // A density that is negative or not a number is not one that does not exist.
 TEST(OverExisting, GivesNothingForADensityOfZeroAndHidesNoOther) {
   using P = Density<Area, double>;
-  EXPECT_EQ(over_existing(3.0, P(0)), 0);
-  EXPECT_EQ(over_existing(3.0, P(2)), 1.5);
-  EXPECT_EQ(over_existing(3.0, P(-2)), -1.5);
-  EXPECT_TRUE(std::isnan(over_existing(3.0, P(std::nan("")))));
+  EXPECT_EQ(safe_divide(3.0, P(0)), 0);
+  EXPECT_EQ(safe_divide(3.0, P(2)), 1.5);
+  EXPECT_EQ(safe_divide(3.0, P(-2)), -1.5);
+  EXPECT_TRUE(std::isnan(safe_divide(3.0, P(std::nan("")))));
 }
 
 }  // namespace

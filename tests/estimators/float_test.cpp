@@ -5,7 +5,7 @@
 
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/lambertian.h>
-#include <fairlight/estimators/sphere_light.h>
+#include <fairlight/estimators/uniform_sphere_area.h>
 
 // The samplers in single precision: finite and in their domain at the edges of the square, 0 and 1 - 2^-24 among them.
 namespace fairlight {

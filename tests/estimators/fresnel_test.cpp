@@ -9,7 +9,7 @@
 
 #include <fairlight/estimators/fresnel.h>
 #include <fairlight/stats/quadrature.h>
-#include <fairlight/validation/analytic/fresnel.h>
+#include <fairlight/validation/claims/fresnel.h>
 
 namespace fairlight {
 namespace {

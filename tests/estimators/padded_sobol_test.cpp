@@ -19,7 +19,7 @@ RC_GTEST_PROP(PaddedSobol, HasOnePointInEveryElementaryInterval,
   const int m = *rc::gen::inRange(0, 11);
   const std::uint32_t n = 1u << m;
   const PaddedSobol numbers(StreamKey(seed, "test"), n);
-  std::vector<Five<double>> points;
+  std::vector<SampleBlock<double>> points;
   for (std::uint32_t i = 0; i < n; ++i) points.push_back(numbers.block<double>({pixel, 5 * n + i, vertex}, b));
   for (const std::size_t d : {0u, 2u}) {
     for (int a = 0; a <= m; ++a) {

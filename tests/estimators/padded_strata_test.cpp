@@ -11,7 +11,7 @@ namespace {
 template <class Real>
 std::array<double, 5> numbers_at(const PaddedStrata& numbers, std::uint32_t pixel, std::uint32_t sample) {
   using W = Word<Real>;
-  const Five<Real> block = numbers.block<Real>({W(pixel), W(sample), W(3u)}, 1);
+  const SampleBlock<Real> block = numbers.block<Real>({W(pixel), W(sample), W(3u)}, 1);
   std::array<double, 5> first{};
   for (std::size_t d = 0; d < first.size(); ++d) {
     std::array<double, lanes<Real>> u{};

@@ -65,34 +65,34 @@ TEST(UniformChoice, RefusesNoAlternativesAndMoreThanAFloatCounts) {
 
 double term(int i, ScriptedSource& source) { return (i + 1) * source.next(); }
 
-TEST(AllOf, AddsEveryTerm) {
+TEST(AllLights, AddsEveryTerm) {
   ScriptedSource source({0.5, 0.25, 0.125});
-  EXPECT_EQ(AllOf::sum<double>(3, source, term), 0.5 + 2 * 0.25 + 3 * 0.125);
+  EXPECT_EQ(AllLights::sum<double>(3, source, term), 0.5 + 2 * 0.25 + 3 * 0.125);
   EXPECT_TRUE(source.exhausted());
 }
 
-TEST(OneOf, WeightsTheTermByTheirNumber) {
+TEST(UniformLightSampler, WeightsTheTermByTheirNumber) {
   ScriptedSource source({0.5, 0, 0.25});
-  EXPECT_EQ(OneOf::sum<double>(3, source, term), 3 * 2 * 0.25);
+  EXPECT_EQ(UniformLightSampler::sum<double>(3, source, term), 3 * 2 * 0.25);
   EXPECT_TRUE(source.exhausted());
 }
 
-TEST(AllOf, LiesWithinTheSumOfTheBounds) {
+TEST(AllLights, LiesWithinTheSumOfTheBounds) {
   const std::vector<Bound> terms{{0, 2}, {-1, 3}};
-  EXPECT_EQ(AllOf::bound(terms), (Bound{-1, 5}));
-  EXPECT_EQ(AllOf::bound({}), (Bound{0, 0}));
+  EXPECT_EQ(AllLights::bound(terms), (Bound{-1, 5}));
+  EXPECT_EQ(AllLights::bound({}), (Bound{0, 0}));
 }
 
-TEST(OneOf, LiesWithinTheirNumberTimesTheHull) {
+TEST(UniformLightSampler, LiesWithinTheirNumberTimesTheHull) {
   const std::vector<Bound> terms{{1, 2}, {-1, 3}, {2, 2}};
-  EXPECT_EQ(OneOf::bound(terms), (Bound{-3, 9}));
-  EXPECT_EQ(OneOf::bound({}), (Bound{0, 0}));
+  EXPECT_EQ(UniformLightSampler::bound(terms), (Bound{-3, 9}));
+  EXPECT_EQ(UniformLightSampler::bound({}), (Bound{0, 0}));
 }
 
 TEST(SumOfNothing, IsZero) {
   ScriptedSource none({});
-  EXPECT_EQ(AllOf::sum<double>(0, none, term), 0);
-  EXPECT_EQ(OneOf::sum<double>(0, none, term), 0);
+  EXPECT_EQ(AllLights::sum<double>(0, none, term), 0);
+  EXPECT_EQ(UniformLightSampler::sum<double>(0, none, term), 0);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST(SphereByCone, EndsBeyondTheRim) {
 // The density of points by area is t^2 / (4 pi r^2 cos), which is least where the line passes through the centre. Of a direction that
 // rounding takes to where it would be infinite, at the rim itself, it is 0; none of these is there.
 TEST(SphereByArea, HasADensityInFloatsUpToTheRim) {
-  const SphereByArea<float> whole(unit_sphere<float>());
+  const SphereByArea<float> to_int(unit_sphere<float>());
   const SphereByVisibleHemisphere<float> half(unit_sphere<float>());
   for (double ratio : {0.5, 0.1, 1e-2, 1e-4, 1e-5, 1e-6}) {
     over_the_cap(ratio, [&](const FarSphere& sphere, const Vec3<float>& direction) {

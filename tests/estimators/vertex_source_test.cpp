@@ -18,8 +18,8 @@ static_assert(UniformSource<VertexSource<Packet, PaddedSobol>, Packet>);
 /// Block b of a vertex is 10 b, 10 b + 1, .. 10 b + 4; what is not made is -1.
 struct CountedNumbers {
   template <class Real>
-  Five<Real> block(const PathVertex<Real>&, std::uint32_t b, BlockPart part) const {
-    Five<Real> numbers;
+  SampleBlock<Real> block(const PathVertex<Real>&, std::uint32_t b, BlockPart part) const {
+    SampleBlock<Real> numbers;
     for (std::size_t i = 0; i < 5; ++i)
       numbers[i] = Real(part == BlockPart::all || i < 2 ? 10.0 * b + static_cast<double>(i) : -1);
     return numbers;
@@ -56,7 +56,7 @@ TEST(VertexSource, TakesPairsAloneFromBlocksOfWhichNoMoreIsMade) {
 TEST(IndependentNumbers, AreTheWordsOfABlock) {
   const StreamKey key(1, "test");
   const auto words = Philox<std::uint32_t>::draw({4, 5, 6, 7}, key.words());
-  const Five<double> numbers = IndependentNumbers(key).block<double>({7, 5, 6}, 1);
+  const SampleBlock<double> numbers = IndependentNumbers(key).block<double>({7, 5, 6}, 1);
   EXPECT_EQ(numbers[0], unit_number(words[0], words[1]));
   EXPECT_EQ(numbers[1], unit_number(words[2], words[3]));
   std::array<double, lanes<Packet>> lane{};
@@ -144,17 +144,17 @@ RC_GTEST_PROP(VertexSource, HasNumbersThatDifferWhenAnyPartOfTheirAddressDoes,
   expect_different<PaddedStrata>(seed, {pixel, sample, vertex});
 }
 
-TEST(SetsOfPoints, DivideASamplesNumber) {
-  const SetsOfPoints sets(16);
+TEST(SampleSets, DivideASamplesNumber) {
+  const SampleSets sets(16);
   EXPECT_EQ(sets.size(), 16u);
   EXPECT_EQ(sets.set_of(37u), 2u);
   EXPECT_EQ(sets.point_of(37u), 5u);
 }
 
-TEST(SetsOfPoints, RefuseSizesThatAreNoPowersOfTwo) {
+TEST(SampleSets, RefuseSizesThatAreNoPowersOfTwo) {
   for (const std::uint32_t n : {0u, 3u, 1023u, 2048u, 0x80000000u})
-    EXPECT_THROW(SetsOfPoints{n}, std::invalid_argument) << n;
-  for (const std::uint32_t n : {1u, 2u, 1024u}) EXPECT_NO_THROW(SetsOfPoints{n}) << n;
+    EXPECT_THROW(SampleSets{n}, std::invalid_argument) << n;
+  for (const std::uint32_t n : {1u, 2u, 1024u}) EXPECT_NO_THROW(SampleSets{n}) << n;
 }
 
 // By a reading of lowbias32 in another language.

@@ -22,7 +22,7 @@
 #include <fairlight/estimators/rectangle_light.h>
 #include <fairlight/estimators/reflectance.h>
 #include <fairlight/estimators/roulette.h>
-#include <fairlight/estimators/sphere_view.h>
+#include <fairlight/estimators/sphere_from_point.h>
 #include <fairlight/estimators/splitting.h>
 
 #if !defined(__FAST_MATH__)

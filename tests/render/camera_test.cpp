@@ -19,7 +19,7 @@ Camera simple(double start = 0) { return Camera({.image_height = 2, .start = sta
 TEST(Camera, LooksThroughTheMiddleOfTheImage) {
   const Ray<double> ray = simple().ray(8.0, 4.0, 16, 8);
   EXPECT_TRUE(ray.direction.isApprox(Vec3<double>(0, 0, -1)));
-  EXPECT_EQ(ray.leaving, -1);
+  EXPECT_EQ(ray.origin_primitive, -1);
 }
 
 TEST(Camera, HasItsFirstPixelAtTheTopLeft) {

@@ -41,21 +41,21 @@ struct Floor {
 TEST(DirectLight, IsEmissionTimesReflectanceTimesAreaOverDistanceSquared) {
   const Floor floor;
   ScriptedSource source({0, 0});
-  const Rgb<double> radiance = floor.reflected(DirectLight<AllOf>(), source);
+  const Rgb<double> radiance = floor.reflected(DirectLight<AllLights>(), source);
   EXPECT_NEAR(radiance[0], 3 * (0.5 / M_PI) * (4 * M_PI) / 16, 1e-14);
 }
 
 TEST(DirectLight, IsZeroFromTheFarSideOfTheLight) {
   const Floor floor;
   ScriptedSource source({0.9, 0.25});
-  EXPECT_TRUE((floor.reflected(DirectLight<AllOf>(), source) == 0).all());
+  EXPECT_TRUE((floor.reflected(DirectLight<AllLights>(), source) == 0).all());
 }
 
 TEST(DirectLight, IsZeroInAShadow) {
   Floor floor;
   floor.scene.add_sphere({0, 2, 0}, 0.5, half, black);
   ScriptedSource source({0, 0});
-  EXPECT_TRUE((floor.reflected(DirectLight<AllOf>(), source) == 0).all());
+  EXPECT_TRUE((floor.reflected(DirectLight<AllLights>(), source) == 0).all());
 }
 
 // A black surface is no luminaire.
@@ -67,10 +67,10 @@ TEST(DirectLight, IsZeroWhereNothingEmits) {
     ScriptedSource none({});
     EXPECT_TRUE((reflected(direct, dark, {0, 0, 0}, none) == 0).all());
   };
-  expect_zero(DirectLight<AllOf>());
-  expect_zero(DirectLight<OneOf>());
+  expect_zero(DirectLight<AllLights>());
+  expect_zero(DirectLight<UniformLightSampler>());
   expect_zero(DirectLight(one_by_power(dark)));
-  expect_zero(DirectLight<OneByContribution>());
+  expect_zero(DirectLight<ContributionLightSampler>());
 }
 
 // Inside a sphere that emits, cos cos / d^2 = 1 / (4 r^2) for every pair of points, so every draw is rho Le.
@@ -79,7 +79,7 @@ TEST(DirectLight, SeesTheLuminaireThatItIsInside) {
   furnace.add_sphere({0, 0, 0}, 2, half, lit);
   for (double u : {0.1, 0.4, 0.9}) {
     ScriptedSource source({u, 0.3});
-    const Rgb<double> radiance = reflected(DirectLight<AllOf>(), furnace, {0, -2, 0}, source);
+    const Rgb<double> radiance = reflected(DirectLight<AllLights>(), furnace, {0, -2, 0}, source);
     EXPECT_NEAR(radiance[0], 0.5 * 3, 1e-14) << u;
   }
 }
@@ -89,7 +89,7 @@ TEST(DirectLight, SeesTheLuminaireThatItIsInsideByTheCone) {
   Scene furnace;
   furnace.add_sphere({0, 0, 0}, 2, half, lit);
   ScriptedSource source({0.25, 0.3});
-  const DirectLight<AllOf, PointsBy<SphereByCone>> direct;
+  const DirectLight<AllLights, PointsBy<SphereByCone>> direct;
   const Rgb<double> radiance = reflected(direct, furnace, {0, -2, 0}, source);
   EXPECT_NEAR(radiance[0], 0.5 * 3 * 2 * 0.75, 1e-14);
 }
@@ -99,7 +99,7 @@ TEST(DirectLight, SeesTheLuminaireThatItIsInsideByTheCone) {
 TEST(DirectLight, ChoosesALightByItsPower) {
   Floor floor;
   floor.scene.add_sphere({0, -5, 0}, 1, black, 3 * lit);
-  const DirectLight<OneBy<PowerChoice<double>>, PointsBy<SphereByCone>> direct(one_by_power(floor.scene));
+  const DirectLight<LightSampler<PowerChoice<double>>, PointsBy<SphereByCone>> direct(one_by_power(floor.scene));
   ScriptedSource above({0.24, 0, 0, 0});
   const double cone = 2 * M_PI * (1 - std::sqrt(24) / 5);
   EXPECT_NEAR(floor.reflected(direct, above)[0], 3 * 0.5 / M_PI * cone / 0.25, 1e-14);
@@ -111,7 +111,7 @@ TEST(DirectLight, ChoosesALightByItsPower) {
 TEST(DirectLight, ChoosesALightByItsContribution) {
   Floor floor;
   floor.scene.add_sphere({0, -10, 0}, 1, black, 12 * lit);
-  const DirectLight<OneByContribution, PointsBy<SphereByCone>> direct;
+  const DirectLight<ContributionLightSampler, PointsBy<SphereByCone>> direct;
   ScriptedSource above({0.24, 0, 0, 0});
   const double cone = 2 * M_PI * (1 - std::sqrt(24) / 5);
   EXPECT_NEAR(floor.reflected(direct, above)[0], 3 * 0.5 / M_PI * cone / 0.25, 1e-13);
@@ -123,15 +123,15 @@ TEST(DirectLight, DoesNotLightTheLuminaireFromOutsideByItself) {
   Scene alone;
   alone.add_sphere({0, 0, 0}, 2, half, lit);
   ScriptedSource source({0.5, 0.3});
-  EXPECT_TRUE((reflected(DirectLight<AllOf>(), alone, {0, 2, 0}, source) == 0).all());
+  EXPECT_TRUE((reflected(DirectLight<AllLights>(), alone, {0, 2, 0}, source) == 0).all());
 }
 
 // The camera and single directions have no density; light that a bounce finds else has been found by a shadow ray.
 TEST(DirectLight, CountsEmissionOnlyWhereNoShadowRayHas) {
   const TracedScene<double> scene((Scene()));
   const Ray<double> ray{{0, 0, 0}, {0, 0, 1}, -1};
-  EXPECT_EQ(DirectLight<AllOf>().emission_weight(scene, ray, 0.0, 0.0), 1);
-  EXPECT_EQ(DirectLight<AllOf>().emission_weight(scene, ray, 0.0, 0.3), 0);
+  EXPECT_EQ(DirectLight<AllLights>().emission_weight(scene, ray, 0.0, 0.0), 1);
+  EXPECT_EQ(DirectLight<AllLights>().emission_weight(scene, ray, 0.0, 0.3), 0);
   EXPECT_EQ(NoDirectLight::emission_weight(scene, ray, 0.0, 0.3), 1);
 }
 
@@ -141,7 +141,7 @@ TEST(DirectLight, OfARectangle) {
   scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, half, black);
   scene.add_rectangle({-0.5, 4, -1}, {1, 0, 0}, {0, 0, 2}, black, lit);
   ScriptedSource source({0.5, 0.5});
-  EXPECT_NEAR(reflected(DirectLight<AllOf>(), scene, {0, 0, 0}, source)[0], 3 * (0.5 / M_PI) * 2 / 16, 1e-14);
+  EXPECT_NEAR(reflected(DirectLight<AllLights>(), scene, {0, 0, 0}, source)[0], 3 * (0.5 / M_PI) * 2 / 16, 1e-14);
 }
 
 // A point of it may be rounded to beside its plane, from where it would fill half of all directions.

@@ -231,7 +231,7 @@ double reflected_by_cone(double radius, double distance) {
   const Vec3<Real> up(Real(0), Real(1), Real(0));
   const SurfaceBsdf<Real> bsdf(scene.materials(), Index<Real>(0), up, up);
   const Vertex<Real> vertex{zero<Vec3<Real>>(), up, Real(0)};
-  const DirectLight<AllOf, PointsBy<SphereByCone>> direct;
+  const DirectLight<AllLights, PointsBy<SphereByCone>> direct;
   std::array<double, lanes<Real>> found{};
   store_lanes(direct.template estimate<Real>(scene, vertex, bsdf, source)[0], found.data());
   return found[0];
@@ -274,9 +274,9 @@ TEST(ExtremeScenes, CountASmallLightOnceByBothStrategies) {
     EXPECT_GT(hits, 200);
     return largest;
   };
-  EXPECT_LT(largest_weight(DirectLight<AllOf, PointsBy<SphereByCone>, Shared<>>()), 1e-9);
-  EXPECT_LT(largest_weight(DirectLight<AllOf, PointsBy<SphereByVisibleHemisphere>, Shared<>>()), 1e-9);
-  EXPECT_LT(largest_weight(DirectLight<AllOf, PointsBy<SphereByArea>, Shared<>>()), 1e-9);
+  EXPECT_LT(largest_weight(DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>>()), 1e-9);
+  EXPECT_LT(largest_weight(DirectLight<AllLights, PointsBy<SphereByVisibleHemisphere>, MisWeighted<>>()), 1e-9);
+  EXPECT_LT(largest_weight(DirectLight<AllLights, PointsBy<SphereByArea>, MisWeighted<>>()), 1e-9);
 }
 
 }  // namespace

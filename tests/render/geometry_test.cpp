@@ -87,7 +87,7 @@ bool nearly_meets(const Geometry<double>& geometry, const Ray<double>& ray, doub
   for (int i = 0; i < 64; ++i) {
     const double turn = i * pi<double> / 32;
     const Vec3<double> turned = about.to_world({angle * std::cos(turn), angle * std::sin(turn), 1});
-    if (geometry.intersect({ray.origin, turned.normalized(), ray.leaving}).surface == surface) return true;
+    if (geometry.intersect({ray.origin, turned.normalized(), ray.origin_primitive}).surface == surface) return true;
   }
   return false;
 }

@@ -65,11 +65,11 @@ TEST(Obstacles, AreNotWhatHasAllLightInside) {
   scene.add_sphere({0, 0, 0}, 5, grey, none);
   scene.add_sphere({0, 0, 0}, 1, grey, none);
   scene.add_sphere({3, 0, 0}, 1, grey, lit);
-  EXPECT_FALSE(may_obstruct(scene, 0)) << "around";
-  EXPECT_TRUE(may_obstruct(scene, 1)) << "in the middle";
-  EXPECT_FALSE(may_obstruct(scene, 2)) << "the only luminaire";
+  EXPECT_FALSE(can_occlude(scene, 0)) << "around";
+  EXPECT_TRUE(can_occlude(scene, 1)) << "in the middle";
+  EXPECT_FALSE(can_occlude(scene, 2)) << "the only luminaire";
   scene.add_sphere({-3, 0, 0}, 1, grey, lit);
-  EXPECT_TRUE(may_obstruct(scene, 2)) << "of two";
+  EXPECT_TRUE(can_occlude(scene, 2)) << "of two";
 }
 
 // The floor y = 0, |x| <= 1, |z| <= 1, with a sphere of radius 1 at the given height.
@@ -80,17 +80,17 @@ TEST(Obstacles, AreNotRectanglesWithNothingBeyond) {
     scene.add_sphere({0, height, 0}, 1, grey, lit);
     return scene;
   };
-  EXPECT_FALSE(may_obstruct(under_sphere_at(2), 0));
-  EXPECT_FALSE(may_obstruct(under_sphere_at(1), 0)) << "it stands on the floor";
-  EXPECT_TRUE(may_obstruct(under_sphere_at(0.9), 0)) << "it is sunk in";
-  EXPECT_TRUE(may_obstruct(under_sphere_at(-0.9), 0));
-  EXPECT_FALSE(may_obstruct(under_sphere_at(-1), 0)) << "all of it is below";
+  EXPECT_FALSE(can_occlude(under_sphere_at(2), 0));
+  EXPECT_FALSE(can_occlude(under_sphere_at(1), 0)) << "it stands on the floor";
+  EXPECT_TRUE(can_occlude(under_sphere_at(0.9), 0)) << "it is sunk in";
+  EXPECT_TRUE(can_occlude(under_sphere_at(-0.9), 0));
+  EXPECT_FALSE(can_occlude(under_sphere_at(-1), 0)) << "all of it is below";
   Scene with_wall = under_sphere_at(2);
   with_wall.add_rectangle({1, 0, -1}, {0, 2, 0}, {0, 0, 2}, grey, none);
-  EXPECT_FALSE(may_obstruct(with_wall, 0)) << "the wall stands on it";
-  EXPECT_FALSE(may_obstruct(with_wall, 2));
+  EXPECT_FALSE(can_occlude(with_wall, 0)) << "the wall stands on it";
+  EXPECT_FALSE(can_occlude(with_wall, 2));
   with_wall.add_rectangle({2, -0.1, -1}, {0, 2, 0}, {0, 0, 2}, grey, none);
-  EXPECT_TRUE(may_obstruct(with_wall, 0)) << "this wall reaches below it";
+  EXPECT_TRUE(can_occlude(with_wall, 0)) << "this wall reaches below it";
 }
 
 // Exactly on the outside of a wall whose normal is as far from a unit vector as one may be.
@@ -125,7 +125,7 @@ Hit<double> first_of_all(const Scene& scene, const Ray<double>& ray) {
   Hit<double> first{infinity<double>, -1};
   for (std::size_t i = 0; i < scene.surfaces().size(); ++i) {
     const Surface& surface = scene.surfaces()[i];
-    const bool leaving = ray.leaving == static_cast<double>(i);
+    const bool leaving = ray.origin_primitive == static_cast<double>(i);
     const auto crossing = surface.rectangle ? surface.rectangle->crossing(ray.origin, ray.direction, leaving)
                                             : surface.shape.crossing(ray.origin, ray.direction, leaving);
     if (crossing.distance() < first.distance) first = {crossing.distance(), static_cast<double>(i)};

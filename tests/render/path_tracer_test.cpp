@@ -10,7 +10,7 @@ namespace {
 
 using testing::ScriptedSource;
 using Bouncing = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, NoRoulette>;
-using Lighting = PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllOf>, NoRoulette>;
+using Lighting = PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllLights>, NoRoulette>;
 using Gambling = PathTracer<BouncesBy<CosineHemisphere>, NoDirectLight, RouletteByReflectance<>>;
 
 const Rgb<double> emitted(1, 2, 4);

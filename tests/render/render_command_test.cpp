@@ -7,7 +7,7 @@
 
 #include <fairlight/render/file_lock.h>
 #include <fairlight/render/picture.h>
-#include <fairlight/render/render_command.h>
+#include <fairlight/validation/app/render_command.h>
 
 namespace fairlight {
 namespace {

@@ -29,9 +29,9 @@ TEST(Sphere, IsNotHitWhereARayLeavesIt) {
 // From without as from anywhere: ahead, past it, away from it, and off it; from within the level says so.
 TEST(Sphere, IsEnteredFromWithoutAlone) {
   const auto entry = [](const Vec3<double>& origin, const Vec3<double>& direction, bool leaving) {
-    const auto [crossing, twice_level] = unit.entry(origin, direction, leaving);
-    EXPECT_DOUBLE_EQ(twice_level, leaving ? 0 : origin.squaredNorm() - 1);
-    return crossing.before(Crossing<double>::nowhere()) ? crossing.distance() : infinity<double>;
+    const auto [crossing, twice_implicit] = unit.entry(origin, direction, leaving);
+    EXPECT_DOUBLE_EQ(twice_implicit, leaving ? 0 : origin.squaredNorm() - 1);
+    return crossing.before(RationalHit<double>::nowhere()) ? crossing.distance() : infinity<double>;
   };
   EXPECT_DOUBLE_EQ(entry({3, 0, 0}, {-1, 0, 0}, false), 2);
   EXPECT_EQ(entry({3, 0, 1.5}, {-1, 0, 0}, false), infinity<double>);
@@ -43,9 +43,9 @@ TEST(Sphere, IsEnteredFromWithoutAlone) {
 
 TEST(Sphere, IsLeftFromWithinAlone) {
   const auto exit = [](const Vec3<double>& origin, const Vec3<double>& direction, bool leaving) {
-    const auto [crossing, twice_level] = unit.exit(origin, direction, leaving);
-    EXPECT_DOUBLE_EQ(twice_level, leaving ? 0 : origin.squaredNorm() - 1);
-    return crossing.before(Crossing<double>::nowhere()) ? crossing.distance() : infinity<double>;
+    const auto [crossing, twice_implicit] = unit.exit(origin, direction, leaving);
+    EXPECT_DOUBLE_EQ(twice_implicit, leaving ? 0 : origin.squaredNorm() - 1);
+    return crossing.before(RationalHit<double>::nowhere()) ? crossing.distance() : infinity<double>;
   };
   EXPECT_DOUBLE_EQ(exit({0.5, 0, 0}, {1, 0, 0}, false), 0.5);
   EXPECT_DOUBLE_EQ(exit({0.5, 0, 0}, {-1, 0, 0}, false), 1.5);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/scripted_source.h>
 
-#include <fairlight/render/cornell.h>
+#include <fairlight/render/built_in_scenes.h>
 #include <fairlight/render/strategies.h>
 
 namespace fairlight {
@@ -22,7 +22,7 @@ Scene lit_floor() {
 TEST(Sharing, DividesWhatBothFindByTheSumOfDensities) {
   const Scene floor = lit_floor();
   const TracedScene<double> scene(floor);
-  const DirectLight<AllOf, PointsBy<SphereByCone>, Shared<>> direct;
+  const DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>> direct;
   const Vec3<double> up(0, 1, 0);
   const SurfaceBsdf<double> bsdf(scene.materials(), 0, up, up);
   const double by_light = 1 / (2 * M_PI * (1 - std::sqrt(24) / 5));
@@ -46,9 +46,9 @@ TEST(Sharing, KnowsHowALightIsChosen) {
   const double by_light = 0.5 / (2 * M_PI * (1 - std::sqrt(24) / 5));
   const auto weight = [&](const auto& direct) { return direct.emission_weight(scene, ray, 1.0, 1 / M_PI); };
   const double expected = 1 / M_PI / (by_light + 1 / M_PI);
-  EXPECT_NEAR(weight(DirectLight<OneOf, PointsBy<SphereByCone>, Shared<>>()), expected, 1e-12);
-  EXPECT_NEAR(weight(DirectLight<OneByContribution, PointsBy<SphereByCone>, Shared<>>()), expected, 1e-12);
-  using ByPower = DirectLight<OneBy<PowerChoice<double>>, PointsBy<SphereByCone>, Shared<>>;
+  EXPECT_NEAR(weight(DirectLight<UniformLightSampler, PointsBy<SphereByCone>, MisWeighted<>>()), expected, 1e-12);
+  EXPECT_NEAR(weight(DirectLight<ContributionLightSampler, PointsBy<SphereByCone>, MisWeighted<>>()), expected, 1e-12);
+  using ByPower = DirectLight<LightSampler<PowerChoice<double>>, PointsBy<SphereByCone>, MisWeighted<>>;
   EXPECT_NEAR(weight(ByPower(one_by_power(floor))), expected, 1e-12);
 }
 

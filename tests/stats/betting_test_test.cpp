@@ -174,8 +174,8 @@ RC_GTEST_PROP(BettingTest, BetsByThePastAlone, ()) {
     return std::abs(heads * growth(one) + (1 - heads) * growth(zero) - 1) <= rounding &&
            growth(one) != growth(zero);
   };
-  RC_ASSERT(is_fair(&Wealth::too_bright, mean));
-  RC_ASSERT(is_fair(&Wealth::too_dark, mean));
+  RC_ASSERT(is_fair(&Wealth::above_reference, mean));
+  RC_ASSERT(is_fair(&Wealth::below_reference, mean));
   RC_ASSERT(is_fair(&Wealth::not_brighter, mean + margin));
   RC_ASSERT(is_fair(&Wealth::not_darker, mean - margin));
 }

@@ -53,7 +53,7 @@ TEST(Evidence, IsTheCourseOfEveryChannelUpToItsVerdict) {
   EXPECT_EQ(last.draws, finding.draws);
   EXPECT_GE(last.wealth.not_brighter, evidence.means[1].certifying());
   EXPECT_GE(last.wealth.not_darker, evidence.means[1].certifying());
-  EXPECT_LT(last.wealth.too_bright, evidence.means[1].refuting());
+  EXPECT_LT(last.wealth.above_reference, evidence.means[1].refuting());
 }
 
 TEST(Evidence, ShowsTheWealthThatRefutes) {
@@ -61,7 +61,7 @@ TEST(Evidence, ShowsTheWealthThatRefutes) {
   Trial seen = trial;
   seen.evidence = &evidence;
   ASSERT_EQ(test_means(seen, {half}, ones).verdict, Verdict::biased);
-  EXPECT_GE(evidence.means[0].steps().back().wealth.too_bright, evidence.means[0].refuting());
+  EXPECT_GE(evidence.means[0].steps().back().wealth.above_reference, evidence.means[0].refuting());
   EXPECT_EQ(evidence.means[0].steps().back().mean, 1);
 }
 
@@ -192,7 +192,7 @@ TEST(TestMeans, AreUndecidedWhereThereAreNoMoreDrawsAndKeepWhatTheySaw) {
   EXPECT_LE(finding.draws, 2000u);
   EXPECT_LT(finding.interval.hi, 1);
   EXPECT_EQ(evidence.means[0].steps().back().draws, finding.draws);
-  EXPECT_EQ(evidence.ladder.channels.size(), 1u);
+  EXPECT_EQ(evidence.margin_grid.channels.size(), 1u);
 }
 
 TEST(Watch, EndsATestOfALawUndecided) {

@@ -4,9 +4,9 @@
 
 #include <fairlight/estimators/energy_compensation.h>
 #include <fairlight/estimators/glossy.h>
-#include <fairlight/validation/analytic/ggx_albedo.h>
-#include <fairlight/validation/analytic/glossy.h>
-#include <fairlight/validation/analytic/materials.h>
+#include <fairlight/validation/claims/ggx_albedo.h>
+#include <fairlight/validation/claims/glossy.h>
+#include <fairlight/validation/claims/materials.h>
 
 // What the surfaces say that they reflect, against quadratures of another kind, in other coordinates.
 namespace fairlight {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/report/artifacts.h>
 #include <fairlight/validation/report/markdown.h>
 
@@ -15,7 +15,7 @@ using testing::read_file;
 using testing::TemporaryFolder;
 using testing::write_file;
 
-const Conformance seen{.terms = {.seed = 3, .margin = 0.02}, .threads = 1, .evidence = true};
+const RunOptions seen{.terms = {.seed = 3, .margin = 0.02}, .threads = 1, .evidence = true};
 
 Outcome run(const std::string& claim) { return run_claims(select_claims({claim}), seen).front(); }
 

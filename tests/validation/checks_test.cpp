@@ -9,7 +9,7 @@
 #include <fairlight/stats/domains.h>
 #include <fairlight/validation/checks/constants.h>
 #include <fairlight/validation/checks/laws.h>
-#include <fairlight/validation/variances.h>
+#include <fairlight/validation/checks/variances.h>
 
 // Each check must be able to fail: it is shown estimators that are wrong without chance.
 namespace fairlight {

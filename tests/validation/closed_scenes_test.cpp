@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/analytic/rendered_radiance.h>
-#include <fairlight/validation/strategy_cross.h>
+#include <fairlight/validation/claims/rendered_radiance.h>
+#include <fairlight/validation/claims/pairwise_cover.h>
 
 namespace fairlight {
 namespace {
@@ -145,12 +145,12 @@ std::size_t possible(const Values& values, const std::string& a, const std::stri
   return values.at(a).size() * values.at(b).size();
 }
 
-TEST(StrategyCross, MakesEveryTwoStrategiesMeet) {
+TEST(PairwiseCover, MakesEveryTwoStrategiesMeet) {
   for (const bool spheres : {true, false}) {
     Values values;
     std::map<std::pair<std::string, std::string>, std::set<std::pair<std::string, std::string>>> met;
     for (const nlohmann::json row :
-         StrategyCross(spheres ? searches_of_spheres() : searches_of_rectangles(), 5).rows()) {
+         PairwiseCover(spheres ? searches_of_spheres() : searches_of_rectangles(), 5).rows()) {
       for (const std::string& a : kinds) {
         if (!chooses(row, a)) continue;
         values[a].insert(row.at(a).dump());
@@ -170,9 +170,9 @@ TEST(StrategyCross, MakesEveryTwoStrategiesMeet) {
 }
 
 // 2 bounces x 7 searches x 4 choices; each of them with shadow rays is there once, and none has the name of another.
-TEST(StrategyCross, IsWholeInWhatFindsLight) {
+TEST(PairwiseCover, IsWholeInWhatFindsLight) {
   std::set<std::string> found, names;
-  for (const RenderSettings& row : StrategyCross(searches_of_spheres(), 5).rows()) {
+  for (const RenderSettings& row : PairwiseCover(searches_of_spheres(), 5).rows()) {
     found.insert(row.bounce + row.direct + row.light_sampling + row.which_light);
     names.insert(rendered_radiance(concentric_spheres(), row).name);
     EXPECT_EQ(row.max_depth, row.bounce == "uniform" ? 3 : 5);

@@ -8,7 +8,7 @@
 
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/audit/fault_audit.h>
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {
@@ -47,8 +47,8 @@ TEST(Faults, HaveNamesOfTheirOwnAClassASourceAndARowOnThePage) {
 
 // A short form of `fairlight audit faults`. A fault that the catalogue expects to survive is caught nowhere, or its reason is stale.
 TEST(Faults, AreAllBiasedInEveryClaimThatTheyStandIn) {
-  const Conformance conformance{{.seed = fresh_seed()}, 2};
-  const std::vector<FaultOutcome> outcomes = audit_faults(conformance, 1);
+  const RunOptions run_options{{.seed = fresh_seed()}, 2};
+  const std::vector<FaultOutcome> outcomes = audit_faults(run_options, 1);
   std::size_t rows = 0;
   for (const Fault& fault : fault_catalogue()) rows += fault.claims.size();
   EXPECT_EQ(outcomes.size(), rows);
@@ -56,7 +56,7 @@ TEST(Faults, AreAllBiasedInEveryClaimThatTheyStandIn) {
     EXPECT_EQ(outcome.seeds, 1) << outcome.fault->name;
     const bool survives = !outcome.fault->survives.empty();
     EXPECT_EQ(outcome.caught, survives ? 0 : outcome.seeds)
-        << outcome.fault->name << " in " << outcome.claim->name << ", seed " << seed_text(conformance.terms.seed);
+        << outcome.fault->name << " in " << outcome.claim->name << ", seed " << seed_text(run_options.terms.seed);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <support/scripted_source.h>
 
-#include <fairlight/validation/analytic/furnace.h>
+#include <fairlight/validation/claims/furnace.h>
 
 namespace fairlight {
 namespace {
@@ -70,9 +70,9 @@ TEST(TwoSpheres, BringAtAVertexWhatTheirRangesSay) {
   };
   using ByCone = PointsBy<SphereByCone>;
   const auto by_power = one_by_power(furnace_with_another().scene);
-  expect_near(most_of(ShadowRays{DirectLight<AllOf>(), false}), 12.25);
-  expect_near(most_of(ShadowRays{DirectLight<OneOf>(), true}), 24.5);
-  expect_near(most_of(ShadowRays{DirectLight<AllOf, ByCone>(), false}), 4.1);
+  expect_near(most_of(ShadowRays{DirectLight<AllLights>(), false}), 12.25);
+  expect_near(most_of(ShadowRays{DirectLight<UniformLightSampler>(), true}), 24.5);
+  expect_near(most_of(ShadowRays{DirectLight<AllLights, ByCone>(), false}), 4.1);
   expect_near(most_of(ShadowRays{DirectLight<decltype(by_power), ByCone>(by_power), true}), 4.1);
 }
 

@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <support/unit_square.h>
 
-#include <fairlight/validation/analytic/geometric_sum.h>
+#include <fairlight/validation/claims/geometric_sum.h>
 
 namespace fairlight {
 namespace {

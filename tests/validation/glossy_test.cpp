@@ -6,7 +6,7 @@
 #include <support/unit_square.h>
 
 #include <fairlight/stats/quadrature.h>
-#include <fairlight/validation/analytic/glossy.h>
+#include <fairlight/validation/claims/glossy.h>
 
 namespace fairlight {
 namespace {

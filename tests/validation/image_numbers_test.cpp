@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/analytic/image_numbers.h>
+#include <fairlight/validation/claims/image_numbers.h>
 
 namespace fairlight {
 namespace {

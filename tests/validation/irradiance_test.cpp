@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/stats/quadrature.h>
-#include <fairlight/validation/analytic/irradiance.h>
+#include <fairlight/validation/claims/irradiance.h>
 
 namespace fairlight {
 namespace {

@@ -116,10 +116,10 @@ TEST(Judges, FailNormalDrawsAsOftenAsTheirLevelSays) {
   }
 }
 
-Conformance coarse(std::uint64_t seed, int threads) {
-  Conformance conformance{{.seed = seed}, threads};
-  conformance.terms.margin = 0.01;
-  return conformance;
+RunOptions coarse(std::uint64_t seed, int threads) {
+  RunOptions run_options{{.seed = seed}, threads};
+  run_options.terms.margin = 0.01;
+  return run_options;
 }
 
 std::vector<int> counts(const JudgesOutcome& outcome) {

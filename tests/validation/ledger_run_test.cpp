@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/ledger/ledger_run.h>
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/ledger_run.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {
@@ -12,17 +12,17 @@ using testing::TemporaryFolder;
 const Claim& claim() { return *select_claims({"stream.product"}).front(); }
 
 // A run that certified its margin, of which the first rungs show this much of a bias and of none.
-std::vector<Outcome> outcome_of(double too_bright, double shown) {
+std::vector<Outcome> outcome_of(double above_reference, double shown) {
   Outcome outcome{&claim(), {}, 0};
   outcome.finding.verdict = Verdict::certified;
-  outcome.evidence.ladder = {first_rung(0.01), {std::vector(12, Wealth{too_bright, 0, shown, shown})}};
+  outcome.evidence.margin_grid = {first_level(0.01), {std::vector(12, Wealth{above_reference, 0, shown, shown})}};
   return {outcome};
 }
 
-Conformance with_seed(std::uint64_t seed) {
-  Conformance conformance{{.seed = seed, .margin = 0.01}, 1};
-  conformance.evidence = true;
-  return conformance;
+RunOptions with_seed(std::uint64_t seed) {
+  RunOptions run_options{{.seed = seed, .margin = 0.01}, 1};
+  run_options.evidence = true;
+  return run_options;
 }
 
 std::string summary(const LedgerRun& run) {

@@ -7,8 +7,8 @@
 #include <support/temporary_folder.h>
 
 #include <fairlight/stats/hash.h>
-#include <fairlight/validation/ledger/ledger.h>
-#include <fairlight/validation/ledger/ledger_text.h>
+#include <fairlight/validation/run/ledger.h>
+#include <fairlight/validation/run/ledger_text.h>
 
 namespace fairlight {
 namespace {
@@ -22,12 +22,12 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 // A run of one channel whose first rung, the margin 1/2, shows this much on both sides.
 LedgerEntry run(const std::string& claim, std::uint64_t seed, double shown, std::uint64_t content = 7) {
   return {
-      claim, content, {seed}, 1000, Account(Ladder{2, {{{-1, -0.5, shown, shown}, {-1, 0.25, 0.5, unlimited}}}})};
+      claim, content, {seed}, 1000, EvidenceSum(MarginGrid{2, {{{-1, -0.5, shown, shown}, {-1, 0.25, 0.5, unlimited}}}})};
 }
 
 double certified(const Ledger& ledger, const std::string& claim, std::uint64_t content = 7) {
   const LedgerEntry* entry = ledger.find({claim, content});
-  return entry == nullptr ? unlimited : entry->account.certified_margin(0.01);
+  return entry == nullptr ? unlimited : entry->evidence_sum.certified_margin(0.01);
 }
 
 std::string what_reading_says(const std::string& path) {
@@ -41,7 +41,7 @@ std::string what_reading_says(const std::string& path) {
 
 TEST(LedgerText, ReadsWhatItWrites) {
   LedgerEntry sum = run("a.b", 1, 3);
-  sum.account.append(run("a.b", 2, -1).account);
+  sum.evidence_sum.append(run("a.b", 2, -1).evidence_sum);
   sum.seeds.insert(0xFFFFFFFFFFFFFFFFu);
   for (const LedgerEntry& entry : {run("a.b", 1, 3), run("c", 0xABCDEF, -3), sum}) {
     const std::string line = line_of(entry);
@@ -52,18 +52,18 @@ TEST(LedgerText, ReadsWhatItWrites) {
     EXPECT_EQ(again->claim, entry.claim);
     EXPECT_EQ(again->seeds, entry.seeds);
     EXPECT_EQ(again->draws, entry.draws);
-    EXPECT_EQ(again->account.channels()[0][0].not_brighter, entry.account.channels()[0][0].not_brighter);
-    EXPECT_EQ(again->account.channels()[0][1].total.not_darker, unlimited);
+    EXPECT_EQ(again->evidence_sum.channels()[0][0].not_brighter, entry.evidence_sum.channels()[0][0].not_brighter);
+    EXPECT_EQ(again->evidence_sum.channels()[0][1].total.not_darker, unlimited);
   }
 }
 
 TEST(LedgerText, RoundsDown) {
   LedgerEntry entry = run("a", 1, 0);
-  entry.account = Account(Ladder{0, {{{1.0009, -1.0001, 1e-5, -1e-5}}}});
+  entry.evidence_sum = EvidenceSum(MarginGrid{0, {{{1.0009, -1.0001, 1e-5, -1e-5}}}});
   const std::string line = line_of(entry);
-  const Wealth total = entry_of(std::string_view(line).substr(0, line.size() - 1))->account.channels()[0][0].total;
-  EXPECT_EQ(total.too_bright, 1);
-  EXPECT_EQ(total.too_dark, -1 - 0x1p-10);
+  const Wealth total = entry_of(std::string_view(line).substr(0, line.size() - 1))->evidence_sum.channels()[0][0].total;
+  EXPECT_EQ(total.above_reference, 1);
+  EXPECT_EQ(total.below_reference, -1 - 0x1p-10);
   EXPECT_EQ(total.not_brighter, 0);
   EXPECT_EQ(total.not_darker, -0x1p-10);
 }

@@ -173,12 +173,12 @@ TEST(PacketControlVariate, LeavesOutWhatIsInTheTail) {
 // The mean of e-values is one; of two parts the one that is off has the less wealth that speaks against it.
 TEST(PacketControlVariate, LeavesTheWealthOfBothParts) {
   const Wealth joint = detail::joint(Wealth{std::log(3), 0, 5, 2}, Wealth{0, std::log(7), 1, 4});
-  EXPECT_DOUBLE_EQ(joint.too_bright, std::log(2));
-  EXPECT_DOUBLE_EQ(joint.too_dark, std::log(4));
+  EXPECT_DOUBLE_EQ(joint.above_reference, std::log(2));
+  EXPECT_DOUBLE_EQ(joint.below_reference, std::log(4));
   EXPECT_EQ(joint.not_brighter, 1);
   EXPECT_EQ(joint.not_darker, 2);
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(detail::joint(Wealth{infinite, 0, 0, 0}, Wealth{}).too_bright, infinite);
+  EXPECT_EQ(detail::joint(Wealth{infinite, 0, 0, 0}, Wealth{}).above_reference, infinite);
 }
 
 TEST(PacketControlVariate, LeavesOneLadderAChannelAndFewDrawsInDouble) {
@@ -188,15 +188,15 @@ TEST(PacketControlVariate, LeavesOneLadderAChannelAndFewDrawsInDouble) {
     Trial watched = fine;
     watched.evidence = &evidence;
     const Finding finding = found_independently(watched, two, ramp(0, bias));
-    ASSERT_EQ(evidence.ladder.channels.size(), 1u);
+    ASSERT_EQ(evidence.margin_grid.channels.size(), 1u);
     ASSERT_EQ(evidence.means.size(), 2u);
     const auto in_packets = evidence.means[0].steps().back().draws,
                in_double = evidence.means[1].steps().back().draws;
     EXPECT_LT(4 * in_double, in_packets);
-    const double margin = Account(evidence.ladder).certified_margin(trial.beta);
+    const double margin = EvidenceSum(evidence.margin_grid).certified_margin(trial.beta);
     if (bias == 0) {
       EXPECT_EQ(finding.verdict, Verdict::certified);
-      EXPECT_LE(margin, margin_of_rung(first_rung(fine.margin)));
+      EXPECT_LE(margin, margin_of_rung(first_level(fine.margin)));
     } else {
       EXPECT_EQ(finding.verdict, Verdict::biased);
       EXPECT_GT(margin, fine.margin);

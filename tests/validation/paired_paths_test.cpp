@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/agreements/paired_paths.h>
+#include <fairlight/validation/claims/paired_paths.h>
 
 namespace fairlight {
 namespace {
@@ -51,7 +51,7 @@ TEST(CheckParts, HoldsEachPartToItsReference) {
   trial.evidence = &evidence;
   EXPECT_EQ(found_in_quarters(trial, 1).verdict, Verdict::certified);
   EXPECT_EQ(evidence.means.size(), 4u);
-  EXPECT_EQ(evidence.ladder.channels.size(), 4u);
+  EXPECT_EQ(evidence.margin_grid.channels.size(), 4u);
   evidence = {};
   EXPECT_EQ(found_in_quarters(trial, 0.9).verdict, Verdict::biased);
   leave_tiles(trial, std::vector<double>(4, 1), 2);
@@ -68,9 +68,9 @@ TEST(CheckParts, EndsWithThePartThatIsToldTo) {
   EXPECT_EQ(evidence.means.size(), 2u);
   leave_tiles(trial, std::vector<double>(4, 1), 2);
   EXPECT_EQ(evidence.tiles.biases[2], 0);
-  ASSERT_EQ(evidence.ladder.channels.size(), 4u);
-  EXPECT_GT(evidence.ladder.channels[0][0].not_darker, 0);
-  EXPECT_EQ(evidence.ladder.channels[3][0].not_darker, 0);
+  ASSERT_EQ(evidence.margin_grid.channels.size(), 4u);
+  EXPECT_GT(evidence.margin_grid.channels[0][0].not_darker, 0);
+  EXPECT_EQ(evidence.margin_grid.channels[3][0].not_darker, 0);
 }
 
 TEST(CheckParts, SaysHowMuchOfAllPartsIsDone) {

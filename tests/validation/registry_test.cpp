@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/conformance.h>
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/run_claims.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {

@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <fairlight/estimators/stream.h>
-#include <fairlight/validation/agreements/related_scenes.h>
+#include <fairlight/validation/claims/related_scenes.h>
 
 namespace fairlight {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/provenance/replay_token.h>
+#include <fairlight/validation/run/replay_token.h>
 
 namespace fairlight {
 namespace {

@@ -5,14 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/provenance/replay_token.h>
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/replay_token.h>
+#include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/report/report.h>
 
 namespace fairlight {
 namespace {
 
-const Conformance conformance{{.seed = 0xAB}};
+const RunOptions run_options{{.seed = 0xAB}};
 
 Outcome outcome(Verdict verdict) {
   Outcome made{&registry()[0], {}, 1.5};
@@ -22,16 +22,16 @@ Outcome outcome(Verdict verdict) {
 
 TEST(Report, SaysHowToReplayAClaim) {
   const std::string token = replay_token(0xAB);
-  EXPECT_EQ(replay("a.b", conformance), "fairlight verify a.b --seed " + token);
-  EXPECT_EQ(replay("", conformance), "fairlight verify --seed " + token);
-  Conformance unusual = conformance;
+  EXPECT_EQ(replay("a.b", run_options), "fairlight verify a.b --seed " + token);
+  EXPECT_EQ(replay("", run_options), "fairlight verify --seed " + token);
+  RunOptions unusual = run_options;
   unusual.terms.margin = 0.125;
   EXPECT_EQ(replay("a.b", unusual), "fairlight verify a.b --seed " + token + " --margin 0.125");
 }
 
 std::string printed(const std::vector<Outcome>& outcomes, Rows rows) {
   std::FILE* file = std::tmpfile();
-  print_outcomes(file, outcomes, conformance, rows);
+  print_outcomes(file, outcomes, run_options, rows);
   std::string text(static_cast<std::size_t>(std::ftell(file)), ' ');
   std::rewind(file);
   EXPECT_EQ(std::fread(text.data(), 1, text.size(), file), text.size());
@@ -59,7 +59,7 @@ TEST(Table, ShowsAFailureFirstWithWhyAndHowToReplayIt) {
   const std::string claim = outcomes[300].claim->name;
   EXPECT_EQ(text.find(claim), text.find('\n') + 1) << text;
   EXPECT_NE(text.find("    why so\n"), std::string::npos);
-  EXPECT_NE(text.find("    again: " + replay(claim, conformance) + "\n"), std::string::npos);
+  EXPECT_NE(text.find("    again: " + replay(claim, run_options) + "\n"), std::string::npos);
 }
 
 TEST(Table, HasARowForEveryFirstNameOfMany) {
@@ -184,13 +184,13 @@ TEST(ListOf, NamesTheFirstAndCountsTheOthers) {
 TEST(Report, HasNullForAnEndThatIsOpen) {
   Outcome open = outcome(Verdict::undecided);
   open.finding.interval = {-1e-3, infinite};
-  EXPECT_EQ(nlohmann::json::parse(outcome_json(open, conformance).dump())["interval"].dump(), "[-0.001,null]");
+  EXPECT_EQ(nlohmann::json::parse(outcome_json(open, run_options).dump())["interval"].dump(), "[-0.001,null]");
   open.finding.interval = {-infinite, 1e-3};
-  EXPECT_EQ(nlohmann::json::parse(outcome_json(open, conformance).dump())["interval"].dump(), "[null,0.001]");
+  EXPECT_EQ(nlohmann::json::parse(outcome_json(open, run_options).dump())["interval"].dump(), "[null,0.001]");
 }
 
 TEST(Report, HasTheFieldsOfTheContractAsJson) {
-  const auto json = outcomes_json({outcome(Verdict::biased)}, conformance, 2);
+  const auto json = outcomes_json({outcome(Verdict::biased)}, run_options, 2);
   for (const char* key : {"version", "seed", "budget", "seconds", "verdict", "claims"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["verdict"], "biased");

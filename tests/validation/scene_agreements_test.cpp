@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/agreements/scene_agreements.h>
+#include <fairlight/validation/claims/scene_agreements.h>
 
 namespace fairlight {
 namespace {
@@ -11,7 +11,7 @@ double emission_at(double x, double y) {
   const TracedScene<double> scene(view.scene);
   PhiloxStream<double> source(StreamKey(1, "a pinhole draws nothing"), 0, 0);
   const Hit<double> hit = scene.intersect(view.camera.ray<double>(x, y, 1, 1, source), true);
-  return hit.surface < 0 ? 0 : scene.materials().emission(whole(hit.surface))[0];
+  return hit.surface < 0 ? 0 : scene.materials().emission(to_int(hit.surface))[0];
 }
 
 // Else the claim that compares what packets and doubles see of the light would compare nothing with nothing.

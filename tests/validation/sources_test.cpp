@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/provenance/since.h>
-#include <fairlight/validation/provenance/sources.h>
-#include <fairlight/validation/provenance/subprocess.h>
+#include <fairlight/validation/run/since.h>
+#include <fairlight/validation/run/sources.h>
+#include <fairlight/validation/run/subprocess.h>
 
 namespace fairlight {
 namespace {

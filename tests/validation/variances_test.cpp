@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/variances.h>
+#include <fairlight/validation/checks/variances.h>
 
 namespace fairlight {
 namespace {
@@ -10,14 +10,14 @@ namespace {
 const Trial trial{"variances_test", 1, 1e-6, 0.01, 0.1};
 
 // 0 or 1, of variance 1/4.
-Contender coin(int n = 1) {
+VarianceArm coin(int n = 1) {
   return independent_draws(
       "a coin", [](auto& source) { return source.next() < 0.5 ? 0.0 : 1.0; }, 0, 1, n);
 }
 
 TEST(IndependentDraws, AverageThoseOfOneSource) {
   const StreamKey key(1, "mean");
-  const Contender three = independent_draws(
+  const VarianceArm three = independent_draws(
       "numbers", [](auto& source) { return source.next(); }, 0, 1, 3);
   PhiloxStream<double> source(key, 0, 5);
   const double first = source.next();
@@ -48,7 +48,7 @@ TEST(CheckVariances, SaysBetweenWhatTheRatioIsWhereItIsTooLarge) {
 }
 
 TEST(CheckVariances, NamesADrawOutOfItsRange) {
-  const Contender wrong{"wrong", [](const StreamKey&, std::uint64_t) { return 2.0; }, 0, 1};
+  const VarianceArm wrong{"wrong", [](const StreamKey&, std::uint64_t) { return 2.0; }, 0, 1};
   const Finding finding = check_variances(trial, 1, wrong, coin());
   EXPECT_EQ(finding.verdict, Verdict::biased);
   EXPECT_NE(finding.note.find("is 2 "), std::string::npos) << finding.note;

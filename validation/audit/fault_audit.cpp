@@ -29,17 +29,17 @@ std::string in_words(const FaultOutcome& o) {
 
 }  // namespace
 
-std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds, const Progress& progress) {
+std::vector<FaultOutcome> audit_faults(const RunOptions& run_options, int seeds, const Progress& progress) {
   std::vector<FaultOutcome> outcomes;
   for (const Fault& fault : fault_catalogue()) {
     for (const Claim& claim : fault.claims) outcomes.push_back({.fault = &fault, .claim = &claim, .seeds = seeds});
   }
   const auto per_cell = static_cast<std::size_t>(seeds);
   std::vector<Capture> captures(outcomes.size() * per_cell);
-  const Manifest manifest = manifest_of(conformance);
+  const Manifest manifest = manifest_of(run_options);
   std::mutex mutex;
   std::size_t done = 0;
-  for_each_unit(static_cast<int>(captures.size()), conformance.threads, [&](int unit) {
+  for_each_unit(static_cast<int>(captures.size()), run_options.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
     const Claim& claim = *outcomes[i / per_cell].claim;
     Trial trial = manifest.trial(claim.name);

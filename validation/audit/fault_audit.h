@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/conformance.h>
+#include <fairlight/validation/run/run_claims.h>
 #include <fairlight/validation/faults/catalogue.h>
 
 namespace fairlight {
@@ -22,9 +22,9 @@ struct FaultOutcome {
   std::string note{};  ///< of the first seed: what was found, where it was no bias
 };
 
-/// Runs every fault of the catalogue through its claims, with seeds conformance.seed, + 1, ... Exact to the seed,
+/// Runs every fault of the catalogue through its claims, with seeds run_options.seed, + 1, ... Exact to the seed,
 /// whatever the threads, but for the seconds.
-std::vector<FaultOutcome> audit_faults(const Conformance& conformance, int seeds, const Progress& progress = {});
+std::vector<FaultOutcome> audit_faults(const RunOptions& run_options, int seeds, const Progress& progress = {});
 
 /// A fault that none of its claims catches with every seed.
 struct Survivor {

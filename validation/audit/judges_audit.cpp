@@ -10,7 +10,7 @@
 #include <fairlight/validation/audit/judges.h>
 #include <fairlight/validation/audit/judges_audit.h>
 #include <fairlight/validation/faults/catalogue.h>
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {
@@ -22,7 +22,7 @@ struct Row {
   std::vector<const Fault*> faults;  // of each wrong one
 };
 
-std::vector<Row> rows_of_catalogue(const Conformance& conformance) {
+std::vector<Row> rows_of_catalogue(const RunOptions& run_options) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> row_of;
   for (const Fault& fault : fault_catalogue()) {
@@ -30,7 +30,7 @@ std::vector<Row> rows_of_catalogue(const Conformance& conformance) {
     for (const Claim& claim : fault.claims) {
       if (claim.kind != "mean") continue;
       const auto [at, is_new] = row_of.try_emplace(claim.name, rows.size());
-      if (is_new) rows.push_back({select_claims({claim.name}, conformance.instructions.front()).front(), {}, {}});
+      if (is_new) rows.push_back({select_claims({claim.name}, run_options.instructions.front()).front(), {}, {}});
       rows[at->second].wrong.push_back(&claim);
       rows[at->second].faults.push_back(&fault);
     }
@@ -75,7 +75,7 @@ Plan plan_of(const Row& row, Trial trial) {
 }
 
 // Who failed a run: fairlight, then the others in their order.
-struct Opinions {
+struct Failures {
   std::vector<char> stopped, planned;
 };
 
@@ -88,8 +88,8 @@ std::vector<char> opinions_on(const std::vector<std::vector<double>>& channels, 
   return failed;
 }
 
-Opinions opinions_of(const Claim& claim, Trial trial, const Plan& plan) {
-  Opinions opinions;
+Failures opinions_of(const Claim& claim, Trial trial, const Plan& plan) {
+  Failures opinions;
   Evidence evidence;
   evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock& draw_block, std::uint64_t n) {
     const auto channels = first_draws(references, draw_block, std::max(n, plan.draws));
@@ -103,9 +103,9 @@ Opinions opinions_of(const Claim& claim, Trial trial, const Plan& plan) {
 }
 
 // One seed of a row.
-struct Hearing {
-  Opinions right;
-  std::vector<Opinions> wrong;
+struct SeedResult {
+  Failures right;
+  std::vector<Failures> wrong;
 };
 
 void count(Share& share, bool failed) {
@@ -115,14 +115,14 @@ void count(Share& share, bool failed) {
 
 // hearings[row * seeds + seed]
 JudgeOutcome outcome_of(std::size_t judge, std::string name, const std::vector<Row>& rows,
-                        const std::vector<Hearing>& hearings, std::size_t seeds) {
+                        const std::vector<SeedResult>& hearings, std::size_t seeds) {
   JudgeOutcome outcome{std::move(name)};
   std::vector<char> suite(seeds);
   std::map<const Fault*, bool> killed;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<std::size_t> times(rows[r].wrong.size());
     for (std::size_t s = 0; s < seeds; ++s) {
-      const Hearing& hearing = hearings[r * seeds + s];
+      const SeedResult& hearing = hearings[r * seeds + s];
       count(outcome.alarms, hearing.right.stopped[judge] != 0);
       count(outcome.alarms_planned, hearing.right.planned[judge] != 0);
       suite[s] |= hearing.right.planned[judge];
@@ -146,7 +146,7 @@ JudgeOutcome outcome_of(std::size_t judge, std::string name, const std::vector<R
 }
 
 JudgesOutcome summary(const std::vector<Row>& rows, const std::vector<Plan>& plans,
-                      const std::vector<Hearing>& hearings, std::size_t seeds) {
+                      const std::vector<SeedResult>& hearings, std::size_t seeds) {
   JudgesOutcome outcome{{}, static_cast<int>(rows.size()), 0, 0};
   for (const Row& row : rows) outcome.cells += static_cast<int>(row.wrong.size());
   for (const Plan& plan : plans) outcome.planned_draws += static_cast<double>(plan.draws);
@@ -159,24 +159,24 @@ JudgesOutcome summary(const std::vector<Row>& rows, const std::vector<Plan>& pla
 
 }  // namespace
 
-JudgesOutcome audit_judges(const Conformance& conformance, int seeds, const Progress& progress) {
-  const std::vector<Row> rows = rows_of_catalogue(conformance);
-  const Manifest manifest = manifest_of(conformance);
+JudgesOutcome audit_judges(const RunOptions& run_options, int seeds, const Progress& progress) {
+  const std::vector<Row> rows = rows_of_catalogue(run_options);
+  const Manifest manifest = manifest_of(run_options);
   const auto per_row = static_cast<std::size_t>(seeds);
   std::vector<Plan> plans(rows.size());
-  std::vector<Hearing> hearings(rows.size() * per_row);
+  std::vector<SeedResult> hearings(rows.size() * per_row);
   std::mutex mutex;
   std::size_t done = 0;
   const auto tell = [&] {
     const std::lock_guard lock(mutex);
     if (progress) progress(static_cast<double>(++done) / static_cast<double>(plans.size() + hearings.size()));
   };
-  for_each_unit(static_cast<int>(rows.size()), conformance.threads, [&](int unit) {
+  for_each_unit(static_cast<int>(rows.size()), run_options.threads, [&](int unit) {
     const auto r = static_cast<std::size_t>(unit);
     plans[r] = plan_of(rows[r], manifest.trial(rows[r].right->name));
     tell();
   });
-  for_each_unit(static_cast<int>(hearings.size()), conformance.threads, [&](int unit) {
+  for_each_unit(static_cast<int>(hearings.size()), run_options.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
     const Row& row = rows[i / per_row];
     const Plan& plan = plans[i / per_row];

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/conformance.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 
@@ -34,6 +34,6 @@ struct JudgesOutcome {
 
 /// Runs the claims about means that the catalogue's faults break, with right code and with wrong, and lets everybody judge the draws.
 /// Faults that are known to survive are left out. The sizes come from the seed, the runs from those after it. Exact to the seed.
-JudgesOutcome audit_judges(const Conformance& conformance, int seeds, const Progress& progress = {});
+JudgesOutcome audit_judges(const RunOptions& run_options, int seeds, const Progress& progress = {});
 
 }  // namespace fairlight

@@ -25,18 +25,18 @@ struct Fate {
 
 // A ledger's runs, one after the other, with seeds that no other has.
 Fate fate_of(std::uint64_t seed, double bias) {
-  Account account;
+  EvidenceSum evidence_sum;
   Fate fate;
   for (int r = 0; r < runs_a_ledger; ++r) {
     const Trial trial{"ledger run " + std::to_string(r) + " bias " + std::to_string(bias), seed, alpha, beta,
                       margin};
-    const LeavingRun run = run_for_account(trial, bias * margin);
+    const LeavingRun run = run_for_sum(trial, bias * margin);
     fate.runs_biased += run.finding.verdict == Verdict::biased ? 1 : 0;
     fate.runs_certified += run.finding.verdict == Verdict::certified ? 1 : 0;
-    account.append(run.account);
-    fate.biased = fate.biased || account.biased(alpha);
+    evidence_sum.append(run.evidence_sum);
+    fate.biased = fate.biased || evidence_sum.biased(alpha);
   }
-  fate.finer = margin / account.certified_margin(beta);
+  fate.finer = margin / evidence_sum.certified_margin(beta);
   return fate;
 }
 
@@ -57,7 +57,7 @@ LedgerOutcome outcome_of(double bias, const std::vector<Fate>& fates) {
 
 }  // namespace
 
-LeavingRun run_for_account(const Trial& trial, double bias) {
+LeavingRun run_for_sum(const Trial& trial, double bias) {
   Evidence evidence;
   Trial watched = trial;
   watched.evidence = &evidence;
@@ -67,7 +67,7 @@ LeavingRun run_for_account(const Trial& trial, double bias) {
       channels[0][i] = 2 * PhiloxStream<double>(key, 0, first + i).next() * (1 + bias);
   };
   const Finding finding = test_means(watched, {{1, 0, 2.5}}, draw_block);
-  return {finding, Account(evidence.ladder)};
+  return {finding, EvidenceSum(evidence.margin_grid)};
 }
 
 bool LedgerOutcome::passed() const {

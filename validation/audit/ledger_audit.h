@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include <fairlight/stats/account.h>
+#include <fairlight/stats/evidence_sum.h>
 #include <fairlight/validation/audit/tester_audit.h>
 
 namespace fairlight {
@@ -11,9 +11,9 @@ namespace fairlight {
 /// The core test on a uniform law of mean 1, off by `bias`, with the evidence that it leaves.
 struct LeavingRun {
   Finding finding;
-  Account account;
+  EvidenceSum evidence_sum;
 };
-LeavingRun run_for_account(const Trial& trial, double bias);
+LeavingRun run_for_sum(const Trial& trial, double bias);
 
 /// How ledgers of 100 runs fare beside the runs themselves, at a level of 1e-8 and the miss rate 0.01.
 struct LedgerOutcome {

@@ -7,11 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fairlight/render/whole_file.h>
+#include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/audit/mutation_run.h>
-#include <fairlight/validation/provenance/subprocess.h>
-#include <fairlight/validation/registry.h>
+#include <fairlight/validation/run/subprocess.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {

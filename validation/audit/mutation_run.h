@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <fairlight/validation/audit/mutants.h>
-#include <fairlight/validation/provenance/sources.h>
+#include <fairlight/validation/run/sources.h>
 
 namespace fairlight {
 

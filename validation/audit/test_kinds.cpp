@@ -228,20 +228,20 @@ TestKind replicates() {
 }
 
 // Runs of four times the margin, until their account has a verdict: a bias of the margin is no matter to any of them.
-TestKind account() {
+TestKind evidence_sum() {
   return {"account", false, [](const Trial& trial, double bias) {
             constexpr int most_runs = 1000;
             Finding finding{Verdict::undecided, Guarantee::exact, trial.margin};
-            Account account;
+            EvidenceSum evidence_sum;
             for (int r = 0; r < most_runs && finding.verdict == Verdict::undecided; ++r) {
               Trial one = trial;
               one.claim += " run " + std::to_string(r);
               one.margin = 4 * trial.margin;
-              const LeavingRun run = run_for_account(one, bias);
-              account.append(run.account);
+              const LeavingRun run = run_for_sum(one, bias);
+              evidence_sum.append(run.evidence_sum);
               finding.draws += run.finding.draws;
-              if (account.certified_margin(trial.beta) <= trial.margin) finding.verdict = Verdict::certified;
-              if (account.biased(trial.alpha)) finding.verdict = Verdict::biased;
+              if (evidence_sum.certified_margin(trial.beta) <= trial.margin) finding.verdict = Verdict::certified;
+              if (evidence_sum.biased(trial.alpha)) finding.verdict = Verdict::biased;
             }
             return finding;
           }};
@@ -252,7 +252,7 @@ std::vector<TestKind> build() {
   for (const CostLaw& law : cost_laws()) kinds.push_back(betting(law));
   for (const auto& make :
        {one_sided, not_below, channels, difference, packets, packets_over_points, student, welch, counts, two_cells,
-        density, kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates, account}) {
+        density, kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates, evidence_sum}) {
     kinds.push_back(make());
   }
   return kinds;

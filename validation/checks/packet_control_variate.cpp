@@ -38,7 +38,7 @@ double log_of_mean(double log_a, double log_b) {
   return std::isinf(top) ? top : top + std::log((std::exp(log_a - top) + std::exp(log_b - top)) / 2);
 }
 
-Ladder joint(Ladder a, const Ladder& b) {
+MarginGrid joint(MarginGrid a, const MarginGrid& b) {
   for (std::size_t c = 0; c < a.channels.size(); ++c) {
     for (std::size_t r = 0; r < a.channels[c].size(); ++r) {
       a.channels[c][r] = detail::joint(a.channels[c][r], b.channels.empty() ? Wealth{} : b.channels[c][r]);
@@ -73,7 +73,7 @@ Finding sum_of(const Trial& trial, const Finding& packets, const Finding& differ
 namespace detail {
 
 Wealth joint(const Wealth& a, const Wealth& b) {
-  return {log_of_mean(a.too_bright, b.too_bright), log_of_mean(a.too_dark, b.too_dark),
+  return {log_of_mean(a.above_reference, b.above_reference), log_of_mean(a.below_reference, b.below_reference),
           std::min(a.not_brighter, b.not_brighter), std::min(a.not_darker, b.not_darker)};
 }
 
@@ -164,7 +164,7 @@ DrawBlock PacketControlVariate::difference_draws(const std::string& purpose) con
 
 void PacketControlVariate::leave(const Evidence& packets, const Evidence& difference) const {
   if (trial_.evidence == nullptr) return;
-  trial_.evidence->ladder = joint(packets.ladder, difference.ladder);
+  trial_.evidence->margin_grid = joint(packets.margin_grid, difference.margin_grid);
   for (const Evidence* each : {&packets, &difference}) {
     trial_.evidence->means.insert(trial_.evidence->means.end(), each->means.begin(), each->means.end());
   }

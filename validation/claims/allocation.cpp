@@ -1,6 +1,6 @@
 #include <fairlight/estimators/allocation_naive.h>
 #include <fairlight/estimators/allocation_unbiased.h>
-#include <fairlight/validation/analytic/spiky_pixels.h>
+#include <fairlight/validation/claims/spiky_pixels.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {

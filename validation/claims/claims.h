@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <fairlight/validation/claim.h>
+#include <fairlight/validation/checks/claim.h>
 
 namespace fairlight {
 

@@ -1,6 +1,6 @@
-#include <fairlight/validation/analytic/rendered_radiance.h>
+#include <fairlight/validation/claims/rendered_radiance.h>
 #include <fairlight/validation/claims/claims.h>
-#include <fairlight/validation/strategy_cross.h>
+#include <fairlight/validation/claims/pairwise_cover.h>
 
 namespace fairlight {
 namespace {
@@ -33,7 +33,7 @@ void add_renders(std::vector<Claim>& claims, const std::string& real) {
 
 void add_closed_scene_claims(std::vector<Claim>& claims) {
   const auto add = [&](const ClosedScene& scene, const std::vector<LightSearch>& searches) {
-    for (const RenderSettings& row : StrategyCross(searches, 5).rows()) {
+    for (const RenderSettings& row : PairwiseCover(searches, 5).rows()) {
       claims.push_back(rendered_radiance(scene, row));
     }
   };
@@ -42,8 +42,8 @@ void add_closed_scene_claims(std::vector<Claim>& claims) {
   add_renders(claims, "double");
   add_renders(claims, "packet");
   using BySolidAngle = PointsBy<SphereByArea, RectangleBySolidAngle>;
-  add_independent_mean(claims, in_lit_box<DirectLight<AllOf, BySolidAngle>>("direct"));
-  add_independent_mean(claims, in_lit_box<DirectLight<AllOf, BySolidAngle, Shared<>>>("shared"));
+  add_independent_mean(claims, in_lit_box<DirectLight<AllLights, BySolidAngle>>("direct"));
+  add_independent_mean(claims, in_lit_box<DirectLight<AllLights, BySolidAngle, MisWeighted<>>>("shared"));
 }
 
 }  // namespace fairlight

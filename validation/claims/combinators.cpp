@@ -1,8 +1,8 @@
-#include <fairlight/validation/analytic/combinations.h>
-#include <fairlight/validation/analytic/combinator_variances.h>
-#include <fairlight/validation/analytic/furnace.h>
-#include <fairlight/validation/analytic/long_sums.h>
-#include <fairlight/validation/analytic/roulette_walk.h>
+#include <fairlight/validation/claims/combinations.h>
+#include <fairlight/validation/claims/combinator_variances.h>
+#include <fairlight/validation/claims/furnace.h>
+#include <fairlight/validation/claims/long_sums.h>
+#include <fairlight/validation/claims/roulette_walk.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
@@ -40,8 +40,8 @@ void add_mis(std::vector<Claim>& claims) {
 }  // namespace
 
 void add_combinator_claims(std::vector<Claim>& claims) {
-  add_mean(claims, two_dice<AllOf>("pick.all.dice", {"AllOf"}));
-  add_mean(claims, two_dice<OneOf>("pick.one.dice", {"OneOf", "UniformChoice"}));
+  add_mean(claims, two_dice<AllLights>("pick.all.dice", {"AllLights"}));
+  add_mean(claims, two_dice<UniformLightSampler>("pick.one.dice", {"UniformLightSampler", "UniformChoice"}));
   add_roulette(claims);
   add_mean(claims, splitting_integral<Splitting>("splitting.whole", 3));
   add_mean(claims, splitting_integral<Splitting>("splitting.fraction", 2.25));

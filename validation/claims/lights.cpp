@@ -1,6 +1,6 @@
 #include <fairlight/estimators/environment.h>
-#include <fairlight/validation/analytic/lights.h>
-#include <fairlight/validation/analytic/picks.h>
+#include <fairlight/validation/claims/lights.h>
+#include <fairlight/validation/claims/picks.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
@@ -81,7 +81,7 @@ void add_rectangles(std::vector<Claim>& claims) {
   add_mean(claims, rectangle_irradiance_claim<RectangleBySolidAngle>("rectangle.by_solid_angle.perpendicular",
                                                                      "RectangleBySolidAngle", beside, aside,
                                                                      beside.solid_angle()));
-  const LawExperiment points{"rectangle.by_solid_angle", "RectangleBySolidAngle", "Urena, Fajardo, King 2013",
+  const LawEstimand points{"rectangle.by_solid_angle", "RectangleBySolidAngle", "Urena, Fajardo, King 2013",
                              [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
                              SquareDomain{0, 1}};
   claims.push_back(law_claim(points));
@@ -97,7 +97,7 @@ void add_environment(std::vector<Claim>& claims) {
     return DirectionsFrom<ConstantEnvironment<Real>>{{}, rounded_vector<Real>({1, 2, 3})};
   };
   add_law(claims,
-          LawExperiment{"environment.constant", "ConstantEnvironment", "Archimedes", directions, SphereDomain{1}});
+          LawEstimand{"environment.constant", "ConstantEnvironment", "Archimedes", directions, SphereDomain{1}});
 }
 
 void add_picks(std::vector<Claim>& claims) {

@@ -1,6 +1,6 @@
-#include <fairlight/validation/analytic/integrals.h>
-#include <fairlight/validation/analytic/mixtures.h>
-#include <fairlight/validation/analytic/reflectances.h>
+#include <fairlight/validation/claims/integrals.h>
+#include <fairlight/validation/claims/mixtures.h>
+#include <fairlight/validation/claims/reflectances.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {

@@ -1,4 +1,4 @@
-#include <fairlight/validation/analytic/energy_compensation.h>
+#include <fairlight/validation/claims/energy_compensation.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {

@@ -1,4 +1,4 @@
-#include <fairlight/validation/agreements/paired_boxes.h>
+#include <fairlight/validation/claims/paired_boxes.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {

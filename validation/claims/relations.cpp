@@ -1,4 +1,4 @@
-#include <fairlight/validation/agreements/scene_relations.h>
+#include <fairlight/validation/claims/scene_relations.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {

@@ -1,5 +1,5 @@
-#include <fairlight/validation/agreements/scene_agreements.h>
-#include <fairlight/validation/agreements/scene_relations.h>
+#include <fairlight/validation/claims/scene_agreements.h>
+#include <fairlight/validation/claims/scene_relations.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {

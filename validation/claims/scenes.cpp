@@ -1,6 +1,6 @@
-#include <fairlight/validation/agreements/combinator_agreements.h>
-#include <fairlight/validation/analytic/furnace.h>
-#include <fairlight/validation/analytic/sphere_over_plane.h>
+#include <fairlight/validation/claims/combinator_agreements.h>
+#include <fairlight/validation/claims/furnace.h>
+#include <fairlight/validation/claims/sphere_over_plane.h>
 #include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
@@ -10,19 +10,19 @@ namespace {
 template <class Direct, class Roulette, template <class> class Directions = CosineHemisphere>
 using Tracer = PathTracer<BouncesBy<Directions>, Direct, Roulette>;
 using ByCone = PointsBy<SphereByCone>;
-using All = DirectLight<AllOf>;
-using One = DirectLight<OneOf>;
-using AllVisible = DirectLight<AllOf, PointsBy<SphereByVisibleHemisphere>>;
-using AllByCone = DirectLight<AllOf, ByCone>;
-using OneByCone = DirectLight<OneOf, ByCone>;
-using ContributionByCone = DirectLight<OneByContribution, ByCone>;
+using All = DirectLight<AllLights>;
+using One = DirectLight<UniformLightSampler>;
+using AllVisible = DirectLight<AllLights, PointsBy<SphereByVisibleHemisphere>>;
+using AllByCone = DirectLight<AllLights, ByCone>;
+using OneByCone = DirectLight<UniformLightSampler, ByCone>;
+using ContributionByCone = DirectLight<ContributionLightSampler, ByCone>;
 using Roulette = RouletteByReflectance<>;
 
 // One luminaire by its power, which is tabulated for a Real.
 template <class Roulette>
 auto by_power(const Scene& scene, int max_depth) {
   return [=]<class Real>(std::type_identity<Real>) {
-    using Direct = DirectLight<OneBy<PowerChoice<Real>>, ByCone>;
+    using Direct = DirectLight<LightSampler<PowerChoice<Real>>, ByCone>;
     return Tracer<Direct, Roulette>(max_depth, Direct(one_by_power<Real>(scene)));
   };
 }
@@ -34,18 +34,18 @@ void add_furnaces(std::vector<Claim>& claims) {
   add(furnace_radiance<Tracer<NoDirectLight, Roulette>>(
       "furnace.tiny.bounce", {"PathTracer", "NoDirectLight", "RouletteByReflectance"}, 5, Furnace(1e-3)));
   add(mirror_in_furnace<All>("light", {"PathTracer", "DirectLight", "Mirror"}));
-  add(mirror_in_furnace<DirectLight<AllOf, ByCone, Shared<>>>(
+  add(mirror_in_furnace<DirectLight<AllLights, ByCone, MisWeighted<>>>(
       "shared", {"PathTracer", "DirectLight", "Mirror", "BalanceHeuristic"}));
   add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
                                               {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
-  add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllOf", "RouletteByReflectance"}, 12.25,
+  add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllLights", "RouletteByReflectance"}, 12.25,
                   always(Tracer<All, Roulette>())));
-  add(two_spheres("furnace.two_spheres.one", {"PathTracer", "DirectLight", "OneOf", "RouletteByReflectance"}, 24.5,
+  add(two_spheres("furnace.two_spheres.one", {"PathTracer", "DirectLight", "UniformLightSampler", "RouletteByReflectance"}, 24.5,
                   always(Tracer<One, Roulette>())));
-  add(two_spheres("furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllOf", "SphereByCone"}, 4.1,
+  add(two_spheres("furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllLights", "SphereByCone"}, 4.1,
                   always(Tracer<AllByCone, Roulette>())));
   add(two_spheres("furnace.two_spheres.power",
-                  {"PathTracer", "DirectLight", "OneBy", "PowerChoice", "SphereByCone"}, 4.1,
+                  {"PathTracer", "DirectLight", "LightSampler", "PowerChoice", "SphereByCone"}, 4.1,
                   by_power<Roulette>(furnace_with_another().scene, -1)));
   add(furnace_partial_sum<Tracer<NoDirectLight, NoRoulette, UniformHemisphere>>(
       "furnace.depth3.uniform", {"PathTracer", "NoRoulette", "UniformHemisphere"}, 3, 2));
@@ -109,14 +109,14 @@ void add_two_lights(std::vector<Claim>& claims) {
     return largest;
   };
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
-  add(floor_radiance<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllOf"}, two_lights(), 1,
+  add(floor_radiance<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllLights"}, two_lights(), 1,
                                                     all_terms));
-  add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "OneOf"}, two_lights(), 1,
+  add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "UniformLightSampler"}, two_lights(), 1,
                                                     one_term));
-  add(floor_radiance("two_lights.power", {"DirectLight", "OneBy", "PowerChoice"}, two_lights(), 1, power_term,
+  add(floor_radiance("two_lights.power", {"DirectLight", "LightSampler", "PowerChoice"}, two_lights(), 1, power_term,
                      by_power<NoRoulette>(two_lights().scene, 1)));
   add(floor_radiance<Tracer<ContributionByCone, NoRoulette>>(
-      "two_lights.contribution", {"DirectLight", "OneByContribution", "ContributionChoice"}, two_lights(), 1,
+      "two_lights.contribution", {"DirectLight", "ContributionLightSampler", "ContributionChoice"}, two_lights(), 1,
       contribution_term));
   add(shared_lights());
 }

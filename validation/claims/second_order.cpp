@@ -7,11 +7,11 @@
 #include <fairlight/estimators/importance.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/stats/text.h>
-#include <fairlight/validation/analytic/furnace.h>
-#include <fairlight/validation/analytic/integrals.h>
-#include <fairlight/validation/analytic/lights.h>
+#include <fairlight/validation/claims/furnace.h>
+#include <fairlight/validation/claims/integrals.h>
+#include <fairlight/validation/claims/lights.h>
 #include <fairlight/validation/claims/claims.h>
-#include <fairlight/validation/variances.h>
+#include <fairlight/validation/checks/variances.h>
 
 namespace fairlight {
 namespace {
@@ -37,7 +37,7 @@ Claim cosine_against_uniform() {
 /// A glossy surface of exponent n seen at 30 degrees under a constant sky. A draw by the lobe is (n + 2) / (n + 1) z, by cosine-weighted
 /// directions (n + 2) / 2 cos^n(alpha), which is mostly next to nothing.
 template <template <class> class Directions>
-Contender glossy_bounce(const std::string& name, double largest) {
+VarianceArm glossy_bounce(const std::string& name, double largest) {
   const auto draw = [](auto& source) {
     const Glossy<double, Directions> surface(Rgb<double>::Ones(), 10);
     return surface.sample({0.5, 0, std::sqrt(0.75)}, next_pair<double>(source)).weight[0];
@@ -55,7 +55,7 @@ Claim lobe_against_cosine() {
 /// Two sphere lights by two shadow rays: one to each; or twice one to either, doubled and averaged. With means m and m' of the two
 /// the latter has (m - m')^2 / 2 more variance, whatever the lights. A ray by cone brings at most the solid angle.
 template <class Terms>
-Contender shadow_rays(const std::string& name, int times, double factor) {
+VarianceArm shadow_rays(const std::string& name, int times, double factor) {
   const SphereFromOrigin large{{2, 3, 6}, 2};
   const SphereFromOrigin small{{-1, 2, 2}, 0.5};
   const double bounds = std::max(large.cone_bound(), small.cone_bound());
@@ -70,10 +70,10 @@ Contender shadow_rays(const std::string& name, int times, double factor) {
 }
 
 Claim all_lights_against_one() {
-  return variance_claim("variance.all_lights_against_one", {"AllOf", "OneOf", "SphereByCone"},
+  return variance_claim("variance.all_lights_against_one", {"AllLights", "UniformLightSampler", "SphereByCone"},
                         "elementary; the paper, A.1", 1.0 / 28, 20,
-                        shadow_rays<AllOf>("a shadow ray to each of two lights", 1, 2),
-                        shadow_rays<OneOf>("two to one of them, weighted by their number,", 2, 2));
+                        shadow_rays<AllLights>("a shadow ray to each of two lights", 1, 2),
+                        shadow_rays<UniformLightSampler>("two to one of them, weighted by their number,", 2, 2));
 }
 
 /// The irradiance from a sphere light, by one shadow ray: half of the points of its area face away, and those that face the floor
@@ -82,7 +82,7 @@ Claim all_lights_against_one() {
 /// cos(b) (1 + cos(a)) / 2; by area the mean square is the integral of cos^2 A cos_L / t^2 over the cone. By quadrature of the
 /// latter the ratio is 0.00225138, 1/444.17.
 template <template <class> class Strategy>
-Contender shadow_ray(const std::string& name, double (SphereFromOrigin::*largest)() const) {
+VarianceArm shadow_ray(const std::string& name, double (SphereFromOrigin::*largest)() const) {
   const SphereFromOrigin sphere{{2, 3, 6}, 2};
   const auto draw = sphere_irradiance_claim<Strategy>("", "", sphere, {0, 0, 1}, (sphere.*largest)()).draw;
   return independent_draws(
@@ -103,7 +103,7 @@ Claim cone_against_area() {
 
 /// The squared cosine's integral from points of Sobol's. A draw pi sqrt(1 - u) falls with u, and n points have one in each interval
 /// of length 1/n, so their mean is within pi / n of the integral.
-Contender sobol_points_of(std::uint32_t n) {
+VarianceArm sobol_points_of(std::uint32_t n) {
   const double integral = 2 * std::numbers::pi / 3;
   const double reach = std::numbers::pi / n;
   return replicates_of<OwenSobol<double>>(formatted("%u scrambled points", n), squared_cosine<CosineHemisphere>(),
@@ -111,7 +111,7 @@ Contender sobol_points_of(std::uint32_t n) {
 }
 
 Claim sobol_against_independent() {
-  const Contender independent = independent_draws("16 independent ones", squared_cosine<CosineHemisphere>(), 0,
+  const VarianceArm independent = independent_draws("16 independent ones", squared_cosine<CosineHemisphere>(), 0,
                                                   std::numbers::pi * (1 + 1e-12), 16);
   return variance_claim("variance.sobol_against_independent", {"OwenSobol", "PhiloxStream"}, "Owen 1997", 1.0 / 100,
                         50, sobol_points_of(16), independent);

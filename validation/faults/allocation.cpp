@@ -1,5 +1,5 @@
 #include <fairlight/estimators/allocation_unbiased.h>
-#include <fairlight/validation/analytic/spiky_pixels.h>
+#include <fairlight/validation/claims/spiky_pixels.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_allocation.h>
 

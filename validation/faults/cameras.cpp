@@ -1,5 +1,5 @@
-#include <fairlight/validation/analytic/camera.h>
-#include <fairlight/validation/analytic/lens.h>
+#include <fairlight/validation/claims/camera.h>
+#include <fairlight/validation/claims/lens.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_cameras.h>
 

@@ -1,17 +1,17 @@
-#include <fairlight/validation/agreements/combinator_agreements.h>
-#include <fairlight/validation/analytic/furnace.h>
-#include <fairlight/validation/analytic/integrals.h>
-#include <fairlight/validation/analytic/sphere_over_plane.h>
+#include <fairlight/validation/claims/combinator_agreements.h>
+#include <fairlight/validation/claims/furnace.h>
+#include <fairlight/validation/claims/integrals.h>
+#include <fairlight/validation/claims/sphere_over_plane.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_components.h>
-#include <fairlight/validation/laws.h>
+#include <fairlight/validation/checks/law_claims.h>
 
 namespace fairlight {
 namespace {
 
 template <class Direct, class Roulette>
 using Tracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, Roulette>;
-using All = DirectLight<AllOf>;
+using All = DirectLight<AllLights>;
 using Roulette = RouletteByReflectance<>;
 using Unpaid = RouletteByReflectance<faults::UnpaidRoulette>;
 
@@ -22,7 +22,7 @@ Fault theta_uniform() {
           "Montelight",
           "Smerity/montelight-cpp",
           {law_moments_claim<Packet>(sphere_area_law<faults::ThetaUniformSphere>()),
-           mean_claim(floor_radiance<Tracer<DirectLight<AllOf, PointsBy<faults::SphereByTheta>>, NoRoulette>>(
+           mean_claim(floor_radiance<Tracer<DirectLight<AllLights, PointsBy<faults::SphereByTheta>>, NoRoulette>>(
                "sphere_over_plane.light", {}, one_light(), 1, all_terms))}};
 }
 
@@ -37,7 +37,7 @@ Fault unpaid_roulette() {
 
 Fault unweighted_light() {
   using Wrong = Tracer<DirectLight<faults::OneUnweighted, PointsBy<SphereByCone>>, NoRoulette>;
-  using Right = Tracer<DirectLight<AllOf, PointsBy<SphereByCone>>, NoRoulette>;
+  using Right = Tracer<DirectLight<AllLights, PointsBy<SphereByCone>>, NoRoulette>;
   return {"one-light-unweighted",
           "luminaire probability",
           "LuxCore #68",

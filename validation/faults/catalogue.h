@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/claim.h>
+#include <fairlight/validation/checks/claim.h>
 
 namespace fairlight {
 

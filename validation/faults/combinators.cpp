@@ -1,7 +1,7 @@
-#include <fairlight/validation/analytic/combinations.h>
-#include <fairlight/validation/analytic/furnace.h>
-#include <fairlight/validation/analytic/long_sums.h>
-#include <fairlight/validation/analytic/roulette_walk.h>
+#include <fairlight/validation/claims/combinations.h>
+#include <fairlight/validation/claims/furnace.h>
+#include <fairlight/validation/claims/long_sums.h>
+#include <fairlight/validation/claims/roulette_walk.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_combinators.h>
 #include <fairlight/validation/faults/wrong_components.h>
@@ -10,8 +10,8 @@ namespace fairlight {
 namespace {
 
 // The rows of an experiment, in double and in packets.
-template <class Experiment>
-std::vector<Claim> both(const Experiment& wrong) {
+template <class Estimand>
+std::vector<Claim> both(const Estimand& wrong) {
   return {mean_claim<double>(wrong), mean_claim<Packet>(wrong)};
 }
 

@@ -1,7 +1,7 @@
-#include <fairlight/validation/agreements/paired_boxes.h>
-#include <fairlight/validation/analytic/closed_scenes.h>
-#include <fairlight/validation/analytic/furnace.h>
-#include <fairlight/validation/analytic/sphere_over_plane.h>
+#include <fairlight/validation/claims/paired_boxes.h>
+#include <fairlight/validation/claims/closed_scenes.h>
+#include <fairlight/validation/claims/furnace.h>
+#include <fairlight/validation/claims/sphere_over_plane.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_direct_light.h>
 #include <fairlight/validation/faults/wrong_tracers.h>
@@ -23,10 +23,10 @@ std::vector<Claim> with_mirror(const std::string& how) {
 }  // namespace
 
 std::vector<Fault> direct_light_faults() {
-  using AtWrongVertex = DirectLight<AllOf, faults::DensityAtWrongVertex, Shared<>>;
-  using InFull = DirectLight<AllOf, PointsBy<SphereByCone>, faults::SharedByShadowRaysAlone>;
-  using Mixed = DirectLight<AllOf, PointsBy<SphereByCone>, faults::MixedHeuristics>;
-  using LitByThemselves = DirectLight<AllOf, faults::RectanglesLightThemselves>;
+  using AtWrongVertex = DirectLight<AllLights, faults::DensityAtWrongVertex, MisWeighted<>>;
+  using InFull = DirectLight<AllLights, PointsBy<SphereByCone>, faults::SharedByShadowRaysAlone>;
+  using Mixed = DirectLight<AllLights, PointsBy<SphereByCone>, faults::MixedHeuristics>;
+  using LitByThemselves = DirectLight<AllLights, faults::RectanglesLightThemselves>;
   return {
       {"emission-twice", "double count", "the paper, A.2", in_furnace<faults::EmissionTwice>()},
       {"emission-unseen", "emission lost", "mitsuba3 #1540", in_furnace<faults::EmissionUnseen>()},

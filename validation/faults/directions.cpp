@@ -1,6 +1,6 @@
-#include <fairlight/validation/analytic/directions.h>
-#include <fairlight/validation/analytic/glossy.h>
-#include <fairlight/validation/analytic/integrals.h>
+#include <fairlight/validation/claims/directions.h>
+#include <fairlight/validation/claims/glossy.h>
+#include <fairlight/validation/claims/integrals.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_directions.h>
 

@@ -1,5 +1,5 @@
-#include <fairlight/validation/analytic/lights.h>
-#include <fairlight/validation/analytic/picks.h>
+#include <fairlight/validation/claims/lights.h>
+#include <fairlight/validation/claims/picks.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_lights.h>
 
@@ -10,7 +10,7 @@ const Vec3<double> up(0, 0, 1);
 const Vec3<double> aside(1, 0, 0);
 
 template <class Draw>
-std::vector<Claim> both(const Experiment<Draw>& e) {
+std::vector<Claim> both(const Estimand<Draw>& e) {
   return {mean_claim<double>(e), mean_claim<Packet>(e)};
 }
 

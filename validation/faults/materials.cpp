@@ -1,4 +1,4 @@
-#include <fairlight/validation/analytic/mixtures.h>
+#include <fairlight/validation/claims/mixtures.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_materials.h>
 
@@ -22,8 +22,8 @@ Fault leaky_glass() {
 }
 
 // The rows of an experiment, in double and in packets.
-template <class Experiment>
-std::vector<Claim> both(const Experiment& wrong) {
+template <class Estimand>
+std::vector<Claim> both(const Estimand& wrong) {
   return {mean_claim<double>(wrong), mean_claim<Packet>(wrong)};
 }
 

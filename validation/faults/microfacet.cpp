@@ -1,4 +1,4 @@
-#include <fairlight/validation/analytic/energy_compensation.h>
+#include <fairlight/validation/claims/energy_compensation.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_microfacet.h>
 
@@ -6,7 +6,7 @@ namespace fairlight {
 namespace {
 
 template <class Draw>
-void add(Fault& fault, const Experiment<Draw>& experiment) {
+void add(Fault& fault, const Estimand<Draw>& experiment) {
   fault.claims.push_back(mean_claim(experiment));
   fault.claims.push_back(mean_claim<Packet>(experiment));
 }

@@ -1,8 +1,8 @@
-#include <fairlight/validation/analytic/point_sets.h>
+#include <fairlight/validation/claims/point_sets.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_point_sets.h>
-#include <fairlight/validation/laws.h>
-#include <fairlight/validation/padded_sets.h>
+#include <fairlight/validation/checks/law_claims.h>
+#include <fairlight/validation/checks/padded_sets.h>
 
 namespace fairlight {
 namespace {
@@ -56,7 +56,7 @@ Fault same_order() {
 }
 
 Fault coarse_numbers() {
-  const LawExperiment stream{"stream.philox",
+  const LawEstimand stream{"stream.philox",
                              "",
                              "",
                              []<class Real>(std::type_identity<Real>) { return faults::CoarseNumbers<Real>{}; },

@@ -1,4 +1,4 @@
-#include <fairlight/validation/agreements/scene_relations.h>
+#include <fairlight/validation/claims/scene_relations.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_tracers.h>
 

@@ -1,9 +1,9 @@
 #include <fairlight/estimators/allocation_unbiased.h>
-#include <fairlight/validation/analytic/combinator_variances.h>
-#include <fairlight/validation/analytic/point_sets.h>
-#include <fairlight/validation/analytic/roulette_walk.h>
-#include <fairlight/validation/analytic/spiky_pixels.h>
-#include <fairlight/validation/analytic/streams.h>
+#include <fairlight/validation/claims/combinator_variances.h>
+#include <fairlight/validation/claims/point_sets.h>
+#include <fairlight/validation/claims/roulette_walk.h>
+#include <fairlight/validation/claims/spiky_pixels.h>
+#include <fairlight/validation/claims/streams.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_combinators.h>
 #include <fairlight/validation/faults/wrong_point_sets.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <fairlight/estimators/allocation_naive.h>
-#include <fairlight/validation/analytic/image_numbers.h>
+#include <fairlight/validation/claims/image_numbers.h>
 
 /// Wrong forms of adaptive sampling, of the class of Kirk and Arvo 1991; naive::PooledStages is the first of them.
 namespace fairlight::faults {

@@ -136,7 +136,7 @@ struct RouletteAtItsCap {
 };
 
 /// The number that chose a light is used again for the point on it, not rescaled. On record: the class of pbrt-v4 795c619b.
-struct OneOfReusingNumbers : OneOf {
+struct OneOfReusingNumbers : UniformLightSampler {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
     Source same = source;
@@ -146,7 +146,7 @@ struct OneOfReusingNumbers : OneOf {
 };
 
 /// Every term is given the same numbers: the mean does not mind, the variance does. On record: the class of zenphoton #8.
-struct AllOfOneNumber : AllOf {
+struct AllOfOneNumber : AllLights {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
     const Source first = source;

@@ -2,7 +2,7 @@
 
 #include <fairlight/estimators/pick_one.h>
 #include <fairlight/estimators/roulette.h>
-#include <fairlight/estimators/sphere_light.h>
+#include <fairlight/estimators/uniform_sphere_area.h>
 #include <fairlight/estimators/sphere_sampling.h>
 
 /// Wrong variants of the kit's components, each a bug that somebody shipped. They stand in for the right ones
@@ -46,7 +46,7 @@ struct UnpaidRoulette {
 };
 
 /// One luminaire for all of them, not weighted by their number. On record: the class of LuxCore #68.
-struct OneUnweighted : OneOf {
+struct OneUnweighted : UniformLightSampler {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
     return term(UniformChoice<Real>(n).sample(next_pair<Real>(source)).index, source);

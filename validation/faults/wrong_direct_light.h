@@ -7,16 +7,16 @@
 namespace fairlight::faults {
 
 /// Emission counted at every depth, beside the shadow rays. On record: the paper, A.2.
-struct EmissionTwice : DirectLight<AllOf> {
+struct EmissionTwice : DirectLight<AllLights> {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
     return Real(1);
   }
-  static constexpr bool finds_all_light() { return false; }
+  static constexpr bool next_event_only() { return false; }
 };
 
 /// Luminaires that the camera sees are black. On record: mitsuba3 #1540.
-struct EmissionUnseen : DirectLight<AllOf> {
+struct EmissionUnseen : DirectLight<AllLights> {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
     return Real(0);
@@ -24,29 +24,29 @@ struct EmissionUnseen : DirectLight<AllOf> {
 };
 
 /// Roulette is played before the shadow ray, which is not paid for it. On record: vk_raytrace #13, openmc #241.
-struct LightAfterRoulette : DirectLight<AllOf> {
+struct LightAfterRoulette : DirectLight<AllLights> {
   template <class Real, class Scene, class Source, class Bsdf>
   Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
                      const Mask<Real>& asked) const {
     const Survival<Real> survival =
         RouletteByReflectance<>::play<Real>(bsdf.albedo(), bsdf.albedo(), Real(0), source);
-    return DirectLight<AllOf>::estimate<Real>(scene, vertex, bsdf, source, asked && survival.alive);
+    return DirectLight<AllLights>::estimate<Real>(scene, vertex, bsdf, source, asked && survival.alive);
   }
 };
 
 /// What a mirror shows is left to shadow rays, which do not find it. On record: three-gpu-pathtracer #174.
-struct MirrorsToShadowRays : DirectLight<AllOf> {
+struct MirrorsToShadowRays : DirectLight<AllLights> {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>& ray, const Real&, const Real&) {
-    return select(ray.leaving < Real(0), Real(1), Real(0));
+    return select(ray.origin_primitive < Real(0), Real(1), Real(0));
   }
 };
 
 /// A mirror's direction is given a density, 1, and shares its light with shadow rays. On record: three-gpu-pathtracer #174.
-struct MirrorsWithDensity : DirectLight<AllOf, PointsBy<SphereByCone>, Shared<>> {
+struct MirrorsWithDensity : DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>> {
   template <class Real, class Scene>
   Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
-    const Mask<Real> mirrored = density == Real(0) && ray.leaving >= Real(0);
+    const Mask<Real> mirrored = density == Real(0) && ray.origin_primitive >= Real(0);
     return DirectLight::emission_weight(scene, ray, surface, Real(select(mirrored, Real(1), density)));
   }
 };
@@ -62,15 +62,15 @@ struct DensityAtWrongVertex : PointsBy<SphereByCone> {
 };
 
 /// What a bounce finds is counted in full, beside the shadow rays' share. On record: Moer #59.
-struct SharedByShadowRaysAlone : Shared<> {
+struct SharedByShadowRaysAlone : MisWeighted<> {
   template <class Measure, class Real>
   static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
-    return i == 0 ? Shared<>::weight(n, p, i) : Real(1);
+    return i == 0 ? MisWeighted<>::weight(n, p, i) : Real(1);
   }
 };
 
 /// Shadow rays are weighted by the power heuristic, and bounces by the balance heuristic. Of the class of Moer #59.
-struct MixedHeuristics : Shared<> {
+struct MixedHeuristics : MisWeighted<> {
   template <class Measure, class Real>
   static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
     return i == 0 ? PowerHeuristic::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
@@ -78,10 +78,10 @@ struct MixedHeuristics : Shared<> {
 };
 
 /// Which light a shadow ray looks for is drawn, but bounces leave its probability out of their weights. On record: redner #56.
-struct ChanceForgottenByBounces : DirectLight<OneOf, PointsBy<SphereByCone>, Shared<>> {
+struct ChanceForgottenByBounces : DirectLight<UniformLightSampler, PointsBy<SphereByCone>, MisWeighted<>> {
   template <class Real, class Scene>
   Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
-    return DirectLight<AllOf, PointsBy<SphereByCone>, Shared<>>().emission_weight(scene, ray, surface, density);
+    return DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>>().emission_weight(scene, ray, surface, density);
   }
 };
 

@@ -88,7 +88,7 @@ struct ThresholdsNotCumulative : PowerChoice<Real> {
     for (int i = this->size() - 1; i >= 0; --i) {
       index = select(u.x() < this->probability(Index<Real>(i)), rounded<Real>(i), index);
     }
-    return {whole(index), Density<Discrete, Real>(this->probability(whole(index)))};
+    return {to_int(index), Density<Discrete, Real>(this->probability(to_int(index)))};
   }
 };
 

@@ -3,7 +3,7 @@
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
-#include <fairlight/validation/padded_sets.h>
+#include <fairlight/validation/checks/padded_sets.h>
 
 /// Point sets whose numbers are not as random as they look.
 namespace fairlight::faults {
@@ -74,7 +74,7 @@ struct OneVertexSobol : PaddedSobol {
   using PaddedSobol::PaddedSobol;
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
+  SampleBlock<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part = BlockPart::all) const {
     return PaddedSobol::block(PathVertex<Real>{at.pixel, at.sample, Word<Real>(0u)}, b, part);
   }
 };
@@ -84,7 +84,7 @@ struct OneOrderSobol : PaddedSobol {
   OneOrderSobol(const StreamKey& of, std::uint32_t n) : PaddedSobol(of, n), key(of) {}
 
   template <class Real>
-  Five<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart /*part*/ = BlockPart::all) const {
+  SampleBlock<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart /*part*/ = BlockPart::all) const {
     const auto point = sets().point_of(at.sample);
     const auto shifts = five_of(sets().shared_words(key, at, b));
     const auto factors = sets().order_words(key, at, b);
@@ -151,14 +151,14 @@ struct OneJitterLatinHypercube : LatinHypercube<Real> {
 
 /// Every pixel is given the numbers of the first. On record: the class of SORT #35.
 struct NumbersOfOnePixel {
-  static Five<double> of(const StreamKey& key, std::uint32_t, std::uint32_t path, std::uint32_t vertex) {
+  static SampleBlock<double> of(const StreamKey& key, std::uint32_t, std::uint32_t path, std::uint32_t vertex) {
     return IndependentNumbers(key).block<double>({0, path, vertex}, 0);
   }
 };
 
 /// Every vertex of a path is given the numbers of the first. On record: OpenCL-path-tracing-tutorial-3-Part-2 #2.
 struct NumbersOfOneVertex {
-  static Five<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t) {
+  static SampleBlock<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t) {
     return IndependentNumbers(key).block<double>({pixel, path, 0}, 0);
   }
 };

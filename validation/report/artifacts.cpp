@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include <fairlight/render/raster.h>
-#include <fairlight/render/whole_file.h>
+#include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/report/artifacts.h>
 #include <fairlight/validation/report/axes.h>
@@ -55,7 +55,7 @@ std::string courses_csv(const std::vector<Evidence::Course>& courses) {
   for (std::size_t c = 0; c < courses.size(); ++c) {
     for (const auto& [draws, mean, wealth] : courses[c].steps()) {
       csv += formatted("%zu,%llu,%.17g,%.6g,%.6g,%.6g,%.6g\n", c, static_cast<unsigned long long>(draws), mean,
-                       wealth.too_bright, wealth.too_dark, wealth.not_brighter, wealth.not_darker);
+                       wealth.above_reference, wealth.below_reference, wealth.not_brighter, wealth.not_darker);
     }
   }
   return csv;
@@ -68,7 +68,7 @@ std::vector<std::size_t> worst_channels(const std::vector<Evidence::Course>& cou
   const auto against = [&](std::size_t c) {
     if (courses[c].steps().empty()) return 0.0;
     const Wealth& wealth = courses[c].steps().back().wealth;
-    return std::max(wealth.too_bright, wealth.too_dark);
+    return std::max(wealth.above_reference, wealth.below_reference);
   };
   std::ranges::stable_sort(channels, [&](std::size_t a, std::size_t b) { return against(a) > against(b); });
   channels.resize(std::min<std::size_t>(channels.size(), 3));
@@ -80,18 +80,18 @@ std::vector<std::size_t> worst_channels(const std::vector<Evidence::Course>& cou
 
 void check_folder(const std::string& folder) {
   std::error_code error;
-  if (!fs::exists(folder, error)) return WholeFile::check_writable(folder);
+  if (!fs::exists(folder, error)) return AtomicFile::check_writable(folder);
   if (!fs::is_directory(folder, error)) {
     throw std::runtime_error("cannot write into \"" + folder + "\" (it is no folder)");
   }
-  WholeFile::check_writable(folder + "/finding");
+  AtomicFile::check_writable(folder + "/finding");
 }
 
 std::vector<std::string> write_artifacts(const std::string& folder, const Outcome& outcome,
-                                         const Conformance& conformance) {
-  const std::string place = (fs::path(folder) / label(outcome, conformance)).string();
+                                         const RunOptions& run_options) {
+  const std::string place = (fs::path(folder) / label(outcome, run_options)).string();
   make_folder(place);
-  nlohmann::json json = outcome_json(outcome, conformance);
+  nlohmann::json json = outcome_json(outcome, run_options);
   json["statement"] = outcome.claim->statement;
   json["source"] = outcome.claim->source;
   write_json(place + "/finding.json", json);
@@ -102,7 +102,7 @@ std::vector<std::string> write_artifacts(const std::string& folder, const Outcom
   };
   const auto& laws = outcome.evidence.laws;
   const auto& means = outcome.evidence.means;
-  const std::string title = label(outcome, conformance) + ": " + name(outcome.finding.verdict);
+  const std::string title = label(outcome, run_options) + ": " + name(outcome.finding.verdict);
   for (std::size_t i = 0; i < laws.size(); ++i) {
     write_cells(place + "/" + numbered("cells", i, laws.size(), ""), laws[i]);
     draw(numbered("p_map", i, laws.size(), ".png"), p_map_chart(title, laws[i]));

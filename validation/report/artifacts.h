@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/conformance.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 
@@ -18,7 +18,7 @@ void check_folder(const std::string& folder);
 ///    the most evidence against them.
 /// Returns the pictures' paths. Throws std::runtime_error.
 std::vector<std::string> write_artifacts(const std::string& folder, const Outcome& outcome,
-                                         const Conformance& conformance);
+                                         const RunOptions& run_options);
 
 /// All intervals in units of their margins, as the picture `folder`/intervals.png, whose path it returns. Throws std::runtime_error.
 std::string write_intervals(const std::string& folder, const std::vector<Outcome>& outcomes);

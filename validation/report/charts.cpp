@@ -103,8 +103,8 @@ struct Process {
 // Those that a claim is about: one-sided claims have two of the four.
 std::vector<Process> processes_of(Sides sides) {
   std::vector<Process> processes;
-  if (sides != Sides::not_below) processes.push_back({"too bright", &Wealth::too_bright, red});
-  if (sides != Sides::not_above) processes.push_back({"too dark", &Wealth::too_dark, blue});
+  if (sides != Sides::not_below) processes.push_back({"too bright", &Wealth::above_reference, red});
+  if (sides != Sides::not_above) processes.push_back({"too dark", &Wealth::below_reference, blue});
   if (sides != Sides::not_below) processes.push_back({"not brighter", &Wealth::not_brighter, orange});
   if (sides != Sides::not_above) processes.push_back({"not darker", &Wealth::not_darker, green});
   return processes;

@@ -21,7 +21,7 @@ std::string link(const std::string& picture, const std::string& page) {
 std::string code(const std::string& command) { return "```\n" + command + "\n```\n\n"; }
 
 std::string head(const Page& page) {
-  const auto& terms = page.conformance.terms;
+  const auto& terms = page.run_options.terms;
   const auto count = [&](Verdict verdict) {
     return std::ranges::count_if(page.outcomes, [=](const Outcome& o) { return o.finding.verdict == verdict; });
   };
@@ -33,7 +33,7 @@ std::string head(const Page& page) {
   out += formatted("| false alarms | %.0e a run of everything |\n", terms.budget);
   out += formatted("| miss rate | %.0e a claim, at its margin |\n", terms.beta);
   out += formatted("| margin | %.0e of the reference, times what a claim says |\n", terms.margin);
-  out += formatted("| time | %.1f s on %d threads |\n", page.seconds, page.conformance.threads);
+  out += formatted("| time | %.1f s on %d threads |\n", page.seconds, page.run_options.threads);
   out += "| instructions of packets | " + instruction_list(page.outcomes) + " |\n";
   out += formatted("| version | %s |\n\n", version);
   return out + "To run it again, draw for draw:\n\n" + code(page.command);
@@ -49,7 +49,7 @@ std::string in_words(const Interval& bias) {
 
 std::string section(const Page& page, const Outcome& outcome, const std::string& path) {
   const Finding& finding = outcome.finding;
-  const std::string title = label(outcome, page.conformance);
+  const std::string title = label(outcome, page.run_options);
   std::string out = "## " + title + ": " + name(finding.verdict) + "\n\n";
   out += "Claimed (" + outcome.claim->kind + "): " + outcome.claim->statement +
          ". Source: " + outcome.claim->source + ".\n\n";
@@ -57,7 +57,7 @@ std::string section(const Page& page, const Outcome& outcome, const std::string&
   out += formatted(", the margin %.1e; %llu draws in %.2f s.", finding.margin,
                    static_cast<unsigned long long>(finding.draws), outcome.seconds);
   out += (finding.note.empty() ? "" : " Note: " + finding.note + ".") + "\n\n" +
-         code(replay(*outcome.claim, page.conformance));
+         code(replay(*outcome.claim, page.run_options));
   const auto pictures = page.pictures.find(title);
   if (pictures == page.pictures.end()) return out;
   for (const std::string& picture : pictures->second) {
@@ -66,12 +66,12 @@ std::string section(const Page& page, const Outcome& outcome, const std::string&
   return out;
 }
 
-std::string table(const std::vector<Outcome>& outcomes, const Conformance& conformance) {
+std::string table(const std::vector<Outcome>& outcomes, const RunOptions& run_options) {
   std::string out = "| claim | verdict | guarantee | margin | bias between | and | draws | seconds |\n";
   out += "|---|---|---|--:|--:|--:|--:|--:|\n";
   for (const Outcome& outcome : outcomes) {
     const Finding& finding = outcome.finding;
-    out += "| " + label(outcome, conformance) + " | " + name(finding.verdict) + " | " + name(finding.guarantee);
+    out += "| " + label(outcome, run_options) + " | " + name(finding.verdict) + " | " + name(finding.guarantee);
     out += formatted(" | %.1e | %s | %s | %llu | %.2f |\n", finding.margin, end_text(finding.interval.lo).c_str(),
                      end_text(finding.interval.hi).c_str(), static_cast<unsigned long long>(finding.draws),
                      outcome.seconds);
@@ -88,10 +88,10 @@ std::string markdown(const Page& page, const std::string& path) {
     out += "![the intervals of all claims, in units of their margins](" + link(page.overview, path) + ")\n\n";
   }
   for (const Outcome& outcome : sorted) {
-    if (failed(outcome) || page.pictures.contains(label(outcome, page.conformance)))
+    if (failed(outcome) || page.pictures.contains(label(outcome, page.run_options)))
       out += section(page, outcome, path);
   }
-  return out + "## All claims\n\n" + table(sorted, page.conformance);
+  return out + "## All claims\n\n" + table(sorted, page.run_options);
 }
 
 }  // namespace fairlight

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/conformance.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 
 /// A run as a page for people.
 struct Page {
   const std::vector<Outcome>& outcomes;
-  const Conformance& conformance;
+  const RunOptions& run_options;
   double seconds;
   std::string command;                                       ///< that runs it all again
   std::string overview;                                      ///< the picture of all intervals; or empty

@@ -3,7 +3,7 @@
 
 #include <fairlight/stats/seed.h>
 #include <fairlight/stats/text.h>
-#include <fairlight/validation/provenance/replay_token.h>
+#include <fairlight/validation/run/replay_token.h>
 #include <fairlight/validation/report/report.h>
 #include <fairlight/version.h>
 
@@ -28,20 +28,20 @@ std::string verify_command(const std::string& claims, const Manifest::Terms& ter
 
 }  // namespace
 
-std::string replay(const Claim& claim, const Conformance& conformance) {
-  Manifest::Terms terms = conformance.terms;
-  terms.budget /= static_cast<double>(conformance.instructions.size());
+std::string replay(const Claim& claim, const RunOptions& run_options) {
+  Manifest::Terms terms = run_options.terms;
+  terms.budget /= static_cast<double>(run_options.instructions.size());
   return verify_command(claim.name, terms, claim.instructions);
 }
 
-std::string replay_run(const std::string& claims, const Conformance& conformance) {
-  const auto& sets = conformance.instructions;
-  return verify_command(claims, conformance.terms, sets.size() == 1 ? sets.front() : "all");
+std::string replay_run(const std::string& claims, const RunOptions& run_options) {
+  const auto& sets = run_options.instructions;
+  return verify_command(claims, run_options.terms, sets.size() == 1 ? sets.front() : "all");
 }
 
-std::string label(const Outcome& outcome, const Conformance& conformance) {
+std::string label(const Outcome& outcome, const RunOptions& run_options) {
   const Claim& claim = *outcome.claim;
-  return conformance.instructions.size() == 1 ? claim.name : claim.name + " [" + claim.instructions + "]";
+  return run_options.instructions.size() == 1 ? claim.name : claim.name + " [" + claim.instructions + "]";
 }
 
 std::string instruction_list(const std::vector<Outcome>& outcomes) {
@@ -74,7 +74,7 @@ std::string list_of(const std::vector<std::string>& names, std::size_t most) {
 
 std::string end_text(double end) { return std::isinf(end) ? "open" : formatted("%+.2e", end); }
 
-nlohmann::json outcome_json(const Outcome& outcome, const Conformance& conformance) {
+nlohmann::json outcome_json(const Outcome& outcome, const RunOptions& run_options) {
   const Finding& finding = outcome.finding;
   nlohmann::json json = {{"name", outcome.claim->name},
                          {"kind", outcome.claim->kind},
@@ -89,15 +89,15 @@ nlohmann::json outcome_json(const Outcome& outcome, const Conformance& conforman
                          {"instructions", outcome.claim->instructions},
                          {"rounding", finding.rounding},
                          {"note", finding.note},
-                         {"replay", replay(*outcome.claim, conformance)}};
+                         {"replay", replay(*outcome.claim, run_options)}};
   if (outcome.ledger) json["ledger"] = {{"runs", outcome.ledger->runs}, {"margin", outcome.ledger->margin}};
   return json;
 }
 
-nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds) {
+nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const RunOptions& run_options, double seconds) {
   nlohmann::json claims = nlohmann::json::array();
-  for (const Outcome& outcome : outcomes) claims.push_back(outcome_json(outcome, conformance));
-  return {{"version", version}, {"seed", seed_text(conformance.terms.seed)}, {"budget", conformance.terms.budget},
+  for (const Outcome& outcome : outcomes) claims.push_back(outcome_json(outcome, run_options));
+  return {{"version", version}, {"seed", seed_text(run_options.terms.seed)}, {"budget", run_options.terms.budget},
           {"seconds", seconds}, {"verdict", name(overall(outcomes))},        {"claims", claims}};
 }
 

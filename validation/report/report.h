@@ -6,18 +6,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fairlight/validation/conformance.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 
 /// The command that runs a claim again, draw for draw.
-std::string replay(const Claim& claim, const Conformance& conformance);
+std::string replay(const Claim& claim, const RunOptions& run_options);
 
 /// The command that makes a whole run again, of these claims with spaces between them, or of all for no name.
-std::string replay_run(const std::string& claims, const Conformance& conformance);
+std::string replay_run(const std::string& claims, const RunOptions& run_options);
 
 /// The name of an outcome's claim, with its instruction set where the run has several.
-std::string label(const Outcome& outcome, const Conformance& conformance);
+std::string label(const Outcome& outcome, const RunOptions& run_options);
 
 /// The instruction sets that outcomes are about, in words: "sse2, avx2".
 std::string instruction_list(const std::vector<Outcome>& outcomes);
@@ -39,13 +39,13 @@ enum class Rows {
 };
 
 /// A table of claims, the worst verdict first. On a terminal, verdicts are coloured.
-void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const Conformance& conformance,
+void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const RunOptions& run_options,
                     Rows rows = Rows::grouped);
 
 /// One outcome as JSON, and all: {version, seed, budget, seconds, verdict, claims: [...]}. JSON has
 /// no infinity: an end of an interval that is open is null, as is a margin that a ledger does not
 /// certify.
-nlohmann::json outcome_json(const Outcome& outcome, const Conformance& conformance);
-nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const Conformance& conformance, double seconds);
+nlohmann::json outcome_json(const Outcome& outcome, const RunOptions& run_options);
+nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const RunOptions& run_options, double seconds);
 
 }  // namespace fairlight

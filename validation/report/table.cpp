@@ -21,8 +21,8 @@ std::string first_name(const Outcome& outcome) {
   return outcome.claim->name.substr(0, outcome.claim->name.find('.'));
 }
 
-std::string title(const Group& group, const Conformance& conformance) {
-  if (group.size() == 1) return label(*group[0], conformance);
+std::string title(const Group& group, const RunOptions& run_options) {
+  if (group.size() == 1) return label(*group[0], run_options);
   return first_name(*group[0]) + " (" + std::to_string(group.size()) + ")";
 }
 
@@ -79,10 +79,10 @@ std::string guarantee_of(const Group& group) {
 
 class Table {
  public:
-  Table(std::FILE* out, const std::vector<Group>& groups, const Conformance& conformance)
-      : out_(out), conformance_(conformance) {
+  Table(std::FILE* out, const std::vector<Group>& groups, const RunOptions& run_options)
+      : out_(out), options_(run_options) {
     colours_ = isatty(fileno(out)) != 0 && std::getenv("NO_COLOR") == nullptr;
-    for (const Group& group : groups) width_ = std::max(width_, static_cast<int>(title(group, conformance).size()));
+    for (const Group& group : groups) width_ = std::max(width_, static_cast<int>(title(group, run_options).size()));
     std::fprintf(out_, "%-*s %-10s %-13s %8s %21s %12s %8s\n", width_, "claim", "verdict", "guarantee", "margin",
                  "bias between", "draws", "seconds");
   }
@@ -91,7 +91,7 @@ class Table {
     const Finding finding = finding_of(group);
     double seconds = 0;
     for (const Outcome* outcome : group) seconds += outcome->seconds;
-    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %10s %10s %12llu %8.2f\n", width_, title(group, conformance_).c_str(),
+    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %10s %10s %12llu %8.2f\n", width_, title(group, options_).c_str(),
                  colour(finding.verdict), name(finding.verdict), colours_ ? "\033[0m" : "",
                  guarantee_of(group).c_str(), finding.margin, end_text(finding.interval.lo).c_str(),
                  end_text(finding.interval.hi).c_str(), static_cast<unsigned long long>(finding.draws), seconds);
@@ -104,16 +104,16 @@ class Table {
   }
 
   std::FILE* out_;
-  const Conformance& conformance_;
+  const RunOptions& options_;
   bool colours_;
   int width_ = 34;
 };
 
-void print_why(std::FILE* out, const Outcome& outcome, const Conformance& conformance) {
+void print_why(std::FILE* out, const Outcome& outcome, const RunOptions& run_options) {
   if (!outcome.finding.note.empty()) std::fprintf(out, "    %s\n", outcome.finding.note.c_str());
   if (!failed(outcome)) return;
   std::fprintf(out, "    %s: %s\n    again: %s\n", outcome.claim->kind.c_str(), outcome.claim->statement.c_str(),
-               replay(*outcome.claim, conformance).c_str());
+               replay(*outcome.claim, run_options).c_str());
 }
 
 // What rows of many have to say, once, and of which claims.
@@ -131,14 +131,14 @@ void print_notes(std::FILE* out, const std::vector<Group>& groups) {
 
 }  // namespace
 
-void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const Conformance& conformance,
+void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const RunOptions& run_options,
                     Rows rows) {
   const std::vector<Outcome> sorted = worst_first(outcomes);
   const std::vector<Group> groups = grouped(sorted, rows);
-  const Table table(out, groups, conformance);
+  const Table table(out, groups, run_options);
   for (const Group& group : groups) {
     table.row(group);
-    if (group.size() == 1) print_why(out, *group[0], conformance);
+    if (group.size() == 1) print_why(out, *group[0], run_options);
   }
   print_notes(out, groups);
 }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <fairlight/validation/app/render_command.h>
+
+namespace fairlight {
+
+/// Adds `verify` to the program.
+void add_verify_command(CLI::App& program, Command& command);
+
+/// Adds `ledger` to the program.
+void add_ledger_command(CLI::App& program, Command& command);
+
+/// Adds `calibration`, `power` and `ledger` to `audit`.
+void add_tester_commands(CLI::App& audit, Command& command);
+
+/// Adds `mutate` to `audit`.
+void add_mutate_command(CLI::App& audit, Command& command);
+
+/// Adds `judges` to `audit`.
+void add_judges_command(CLI::App& audit, Command& command);
+
+/// Adds `audit` to the program.
+void add_audit_command(CLI::App& program, Command& command);
+
+/// Names the program, and adds all its commands with their help.
+void add_commands(CLI::App& program, Command& command);
+
+/// What is wrong with a command line that could not be parsed, in one sentence: an option or a
+/// command that does not exist is answered with the nearest ones.
+std::string usage_problem(const CLI::App& program, const CLI::ParseError& error);
+
+/// The sentence for a command line that names no command, or only the first of several words.
+std::string no_command(const CLI::App& program);
+
+}  // namespace fairlight

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <fairlight/validation/app/options.h>
+#include <fairlight/render/parallel.h>
+#include <fairlight/render/settings.h>
+
+namespace fairlight {
+
+/// Of a pixel: the EXR's layer counts in 32 bits.
+inline constexpr std::uint64_t most_samples = 0xFFFFFFFF;
+
+/// What `fairlight render` is asked for.
+struct RenderOptions {
+  RenderSettings settings;
+  std::uint64_t spp = 0;
+  std::uint32_t points = 0;  ///< 0 if not given
+  std::string output, png, json, seed, resume, instructions;
+  std::string shard = "1/1";
+  int threads = hardware_threads();
+};
+
+/// Adds them to the command.
+void add_render_options(CLI::App& app, RenderOptions& options);
+
+}  // namespace fairlight

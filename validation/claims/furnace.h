@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fairlight/validation/claims/geometric_sum.h>
+#include <fairlight/validation/claims/radiance.h>
+
+namespace fairlight {
+
+/// The furnace: inside a closed diffuse sphere that emits Le everywhere and reflects rho, every path sees Le at
+/// every vertex, so L = Le (1 + rho + rho^2 + ...) = Le / (1 - rho) in every direction, and the terms up to depth n
+/// sum to Le (1 - rho^(n+1)) / (1 - rho). Source: the geometric series of the transport operator, whose value here
+/// is rho times the identity (Kajiya 1986).
+///
+/// The sphere is neither at the origin nor of unit size, and the three channels differ.
+struct Furnace {
+  Scene scene;
+  Ray<double> ray;
+  Rgb<double> radiance{1, 2, 0.5};
+  Rgb<double> albedo{0.3, 0.5, 0.7};
+  std::string description = "inside a closed sphere";
+
+  /// `metre`: how long a metre of it is, which must make no difference.
+  explicit Furnace(double metre = 1)
+      : ray{metre * Vec3<double>(1.5, -2.25, 4), Vec3<double>(2, 3, -6).normalized(), -1} {
+    scene.add_sphere(metre * Vec3<double>(3, -2, 5), 7 * metre, albedo, radiance);
+  }
+
+  /// Le (1 - rho^(depth+1)) / (1 - rho); the whole series for a negative depth.
+  double reference(int channel, int depth) const {
+    const double rho = albedo[channel];
+    return radiance[channel] * (depth < 0 ? 1 : 1 - std::pow(rho, depth + 1)) / (1 - rho);
+  }
+
+  /// The whole series, of paths that bring `first` and then these terms, each rho/q times as large as the one before, q >= rho being the
+  /// probability that they go on. A tail hides a billionth. Throws std::invalid_argument for a smaller q, of which there is no bound.
+  Reference reference_within(int channel, double first, const GeometricSum& terms) const {
+    const double mean = reference(channel, -1), ratio = albedo[channel] / terms.goes_on;
+    if (ratio > 1) throw std::invalid_argument("a path that goes on more rarely than it is reflected has no bound");
+    if (ratio < 1) return {mean, 0, first + terms.largest / (1 - ratio) * (1 + 1e-9)};
+    const double slack = 1e-9 * mean;
+    return {mean, 0, first + terms.bound(slack), slack};
+  }
+};
+
+/// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series; by throughput from the first bounce on it is the same.
+/// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q); where rho = q a path brings Le at each
+/// of a geometric number of vertices. With shadow rays the depths above 0 come one vertex earlier and reflected, so n vertices bring
+/// 1 + rho n for n, which is more for few alone, far below the bound. `vertex` says how many times that a vertex may bring.
+template <class Tracer>
+auto furnace_radiance(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1,
+                      const Furnace& furnace = Furnace(), double vertex = 1) {
+  const double q = furnace.albedo.maxCoeff();
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    const double le = vertex * furnace.radiance[c];
+    references.push_back(furnace.reference_within(c, 0, GeometricSum{le, le, q}));
+  }
+  return Estimand{name,
+                    std::move(subjects),
+                    furnace.description + " the radiance is Le / (1 - rho), per channel",
+                    "geometric series of the transport operator",
+                    margin_factor,
+                    references,
+                    RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
+}
+
+/// A white mirror ball in it is invisible: it shows what the sphere shows. The ray meets it head on.
+/// A vertex of the sphere may bring twice as much: what its shadow ray finds, and what the bounce finds in the mirror.
+inline Furnace furnace_with_mirror() {
+  Furnace furnace;
+  furnace.scene.add_sphere({2.5, -0.75, 1}, 1, Material(Material::Kind::mirror, Rgb<double>::Ones(), 1),
+                           Rgb<double>::Zero());
+  furnace.description = "inside a closed sphere in which a white mirror ball stands";
+  return furnace;
+}
+
+template <class Direct>
+auto mirror_in_furnace(const std::string& how, std::vector<std::string> subjects) {
+  using Tracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, RouletteByReflectance<>>;
+  return furnace_radiance<Tracer>("furnace.mirror_ball." + how, std::move(subjects), 8, furnace_with_mirror(), 2);
+}
+
+inline Furnace furnace_with_another() {
+  Furnace furnace;
+  furnace.scene.add_sphere({5, -2, 5}, 1, furnace.albedo, furnace.radiance);
+  return furnace;
+}
+
+/// A second sphere, of the same emission and reflectance, stands in the furnace. Every ray still ends on a surface that shows
+/// Le and reflects rho, so L = Le / (1 - rho) as before; but now there are two luminaires, unlike in size, that hide parts of
+/// each other, and the terms of a shadow ray are no longer constant.
+/// Bound: at every vertex shadow rays bring rho Le in the mean, and `largest` rho Le at most. Points of the two spheres are at least 4
+/// apart, so a shadow ray to the larger brings at most 4 R^2 rho Le / 4^2 = 12.25 rho Le where it starts on the smaller, and rho Le where it
+/// starts on the larger itself; one to the smaller, of radius 1, 0.25 rho Le, and none from itself, which is convex. One of two counts
+/// twice. By cone the larger brings at most S f Le = 4 rho Le, being all around, and the smaller, which fills at most 0.0102 of all directions
+/// as seen from the larger, 0.041 rho Le; so 4.1 rho Le by all, and by power, 1 to 49, 4.1 rho Le again.
+/// Roulette as in furnace_radiance.
+template <class Make>
+auto two_spheres(const std::string& name, std::vector<std::string> subjects, double largest, const Make& make) {
+  const Furnace furnace = furnace_with_another();
+  const double q = furnace.albedo.maxCoeff();
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    const double le = furnace.radiance[c], term = furnace.albedo[c] * le;
+    references.push_back(furnace.reference_within(c, le, GeometricSum{term, largest * term, q}));
+  }
+  return Estimand{name,
+                    std::move(subjects),
+                    "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
+                    "rho), per channel",
+                    "geometric series of the transport operator",
+                    3,
+                    references,
+                    RadianceAlong(furnace.scene, furnace.ray, make)};
+}
+
+/// Paths of at most `depth` bounces against the partial sum.
+/// Bound: a bounce multiplies the throughput by at most `largest_weight` rho / q, and a shadow ray brings at most
+/// `largest_weight` rho Le; q is 1 without roulette.
+template <class Tracer>
+auto furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
+                         double largest_weight) {
+  const Furnace furnace;
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    double upper = 0;
+    for (int k = 0; k <= depth; ++k) upper += std::pow(largest_weight * furnace.albedo[c], k);
+    references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
+  }
+  return Estimand{name,
+                    std::move(subjects),
+                    "inside a closed sphere the terms up to depth " + std::to_string(depth) +
+                        " sum to Le (1 - rho^" + std::to_string(depth + 1) + ") / (1 - rho), per channel",
+                    "geometric series of the transport operator",
+                    1,
+                    references,
+                    RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
+}
+
+}  // namespace fairlight

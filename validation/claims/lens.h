@@ -1,0 +1,163 @@
+#pragma once
+
+#include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/estimators/importance.h>
+#include <fairlight/estimators/lens.h>
+#include <fairlight/validation/checks/law_claims.h>
+
+namespace fairlight {
+
+/// What apertures and lenses must do, in closed form.
+///
+/// Area and second moment of a regular polygon with n corners at distance R: its 2n right triangles have, with
+/// a = pi / n, the legs R cos(a) and R sin(a). A point of one is s (R cos(a), v R sin(a)) with s^2 and v uniform in
+/// [0,1]: E[s^2] = 1/2, E[v^2] = 1/3, so E[x^2 + y^2] = R^2 (cos^2(a) + sin^2(a) / 3) / 2 = R^2 (2 + cos(2 a)) / 6. A
+/// square has R^2 / 3, the disk, as n grows, R^2 / 2.
+///
+/// Blur: the ray through the point l of a lens focused at f meets the pinhole's ray at the distance f, so at d they are
+/// |l| |1 - d/f| apart. Over a disk E[|l|^2] = R^2 / 2: the mean squared distance is R^2/2 ((d - f) / f)^2.
+
+/// The Gaussian of half a pixel, cut off at two deviations.
+template <template <class> class Filter>
+auto gaussian_law() {
+  return LawEstimand{"filter.gaussian",
+                       "GaussianFilter",
+                       "Ernst, Stamminger, Greiner 2006",
+                       []<class Real>(std::type_identity<Real>) { return Filter<Real>(Real(0.5), Real(1)); },
+                       SquareDomain{-1, 1},
+                       8};
+}
+
+/// Uniform points of a disk of radius 2.5.
+template <template <class> class Aperture>
+auto circular_aperture_law() {
+  return LawEstimand{"aperture.circle", "CircularAperture", "Shirley and Chiu 1997",
+                       []<class Real>(std::type_identity<Real>) { return Aperture<Real>(Real(2.5)); },
+                       DiskDomain{2.5}};
+}
+
+/// Uniform points of a pentagon, turned: the coordinates of its draws have the moments of a uniform point of the square.
+template <class Real>
+Claim polygonal_aperture_claim() {
+  return {
+      .name = "aperture.polygon.moments" + real_suffix<Real>(),
+      .kind = "law",
+      .subjects = {"PolygonalAperture"},
+      .statement =
+          "in coordinates that preserve area the draws have the cosine moments of the uniform law, up to the third",
+      .source = "Turk 1990",
+      .margin_factor = 10,
+      .check =
+          [](const Trial& trial) {
+            const PolygonDomain pentagon{2.5, 5, 0.25};
+            SamplerDraws draws(PolygonalAperture<Real>(Real(2.5), 5, Real(0.25)),
+                               point_pairs<Real>(StreamKey(trial.seed, trial.claim), points_a_replicate));
+            return test_rosenblatt(
+                trial, [](double, double) { return 1.0; },
+                [&](std::uint64_t i) { return pentagon.coordinates(draws.point(i)); }, points_a_replicate);
+          },
+      .real = real_name<Real>()};
+}
+
+inline auto polygon_second_moment(int blades) {
+  constexpr double radius = 2.5;
+  const double mean = radius * radius * (2 + std::cos(2 * std::numbers::pi / blades)) / 6;
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    const PolygonalAperture<Real> aperture(rounded<Real>(radius), blades);
+    return Real(aperture.sample(next_pair<Real>(source)).squaredNorm());
+  };
+  return Estimand{"aperture.polygon.second_moment." + std::to_string(blades),
+                    {"PolygonalAperture"},
+                    "over a regular polygon of " + std::to_string(blades) +
+                        " corners the mean squared distance from the centre is R^2 (2 + cos(2 pi / n)) / 6",
+                    "elementary",
+                    1,
+                    {{mean, 0, radius * radius * (1 + 1e-12)}},
+                    draw};
+}
+
+/// The pinhole's direction that the lens claims look in: far from the axis, where it matters what a distance is along.
+template <class Real>
+Vec3<Real> off_axis() {
+  return {Real(0.75), Real(0.5), Real(1)};
+}
+
+/// How far apart a lens's rays are at `distance`, focused at 2.
+template <template <class> class Aperture, template <class, class> class Lens>
+auto circle_of_confusion(double distance) {
+  constexpr double focus = 2;
+  constexpr double radius = 0.25;
+  const double largest = std::pow(radius * (distance - focus) / focus, 2);
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    const Lens lens(rounded<Real>(focus), Aperture<Real>(rounded<Real>(radius)));
+    const LensRay<Real> ray = lens.ray(off_axis<Real>(), next_pair<Real>(source));
+    const Real d = rounded<Real>(distance);
+    return Real((ray.origin + ray.direction * d - off_axis<Real>() * d).squaredNorm());
+  };
+  return Estimand{
+      distance > focus ? "lens.confusion.behind" : "lens.confusion.before",
+      {"ThinLens", "CircularAperture"},
+      "the rays of a lens cross the plane at distance d at a mean squared distance of R^2/2 ((d - f)/f)^2 "
+      "from the pinhole's",
+      "similar triangles",
+      1,
+      {{largest / 2, 0, largest * (1 + 1e-9)}},
+      draw};
+}
+
+/// A sum of coordinates of the point where a ray crosses the plane in focus, the same for every point of the lens.
+template <class Real, template <class, class> class Lens>
+Claim focus_claim() {
+  return {.name = "lens.focus" + real_suffix<Real>(),
+          .kind = "constant",
+          .subjects = {"ThinLens"},
+          .statement = "all rays of a lens meet in the point in focus, to 8 ulp",
+          .source = "the lens equation; Cook, Porter, Carpenter 1984",
+          .margin_factor = 1,
+          .check =
+              [](const Trial& trial) {
+                constexpr double focus = 2;
+                const Lens lens(Real(focus), CircularAperture<Real>(Real(0.25)));
+                return check_constant<Real>(trial, focus * (0.75 + 2 * 0.5), 8, [&](auto& source) {
+                  const LensRay<Real> ray = lens.ray(off_axis<Real>(), next_pair<Real>(source));
+                  const Vec3<Real> crossing = ray.origin + ray.direction * Real(focus);
+                  return Real(crossing.x() + Real(2) * crossing.y());
+                });
+              },
+          .real = real_name<Real>()};
+}
+
+/// The mean radiance over an opening of the given area, of a field that is the same everywhere.
+template <class Aperture>
+Claim uniform_field_claim(const std::string& name, const std::string& subject, const Aperture& aperture,
+                          double area) {
+  using Real = typename Aperture::Scalar;
+  return {.name = name + real_suffix<Real>(),
+          .kind = "constant",
+          .subjects = {subject, "Importance"},
+          .statement = "a uniform field of radiance L, averaged over the aperture, is L, to 8 ulp",
+          .source = "the area of a disk, and of a regular polygon",
+          .margin_factor = 1,
+          .check =
+              [=](const Trial& trial) {
+                constexpr double radiance = 3;
+                const Real per_area = rounded<Real>(radiance / area);
+                const Importance mean(aperture, [=](const Vec2<Real>&) { return per_area; });
+                return check_constant<Real>(trial, radiance, 8,
+                                            [&](auto& source) { return mean.estimate(source); });
+              },
+          .real = real_name<Real>()};
+}
+
+/// Of a disk, and of a pentagon, with the corners at 3/8.
+template <class Real>
+void add_uniform_fields(std::vector<Claim>& claims) {
+  constexpr double radius = 0.375;
+  claims.push_back(uniform_field_claim("aperture.circle.uniform_field", "CircularAperture",
+                                       CircularAperture<Real>(Real(radius)), std::numbers::pi * radius * radius));
+  claims.push_back(uniform_field_claim("aperture.polygon.uniform_field", "PolygonalAperture",
+                                       PolygonalAperture<Real>(Real(radius), 5),
+                                       2.5 * radius * radius * std::sin(2 * std::numbers::pi / 5)));
+}
+
+}  // namespace fairlight

@@ -1,0 +1,218 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include <fairlight/estimators/conductor.h>
+#include <fairlight/estimators/dielectric.h>
+#include <fairlight/estimators/hemisphere.h>
+#include <fairlight/estimators/importance.h>
+#include <fairlight/estimators/uniform_sphere_area.h>
+#include <fairlight/stats/quadrature.h>
+#include <fairlight/validation/claims/fresnel.h>
+#include <fairlight/validation/checks/estimand.h>
+
+namespace fairlight {
+
+/// The mean weight of a bounce is the albedo in the direction `out`, which smooth surfaces have in closed form, by
+/// Fresnel's equations.
+
+/// What smooth glass of index n passes on of radiance that falls on it: the share F that it reflects, and of the rest
+/// n^2 times less or more, as refraction into the denser medium makes radiance n^2 times denser, and light goes from `in`
+/// to `out`. `eta` is n seen from outside and 1/n from inside.
+inline double radiance_albedo(double reflected, double eta) { return reflected + (1 - reflected) / (eta * eta); }
+
+/// The largest weight of a bounce.
+inline double largest_radiance_weight(double eta) { return std::max(1.0, 1 / (eta * eta)); }
+
+namespace detail {
+
+constexpr double glass_index = 1.5;
+
+/// `out` at an angle [rad] to the normal, above the surface or below it.
+template <class Real>
+Vec3<Real> out_at(double angle, bool above) {
+  return {rounded<Real>(0.6 * std::sin(angle)), rounded<Real>(0.8 * std::sin(angle)),
+          rounded<Real>((above ? 1 : -1) * std::cos(angle))};
+}
+
+/// The numbers that a bounce takes.
+template <class Surface, class Source>
+Bounce<typename Surface::Scalar> bounce(const Surface& surface, const Vec3<typename Surface::Scalar>& out,
+                                        Source& source) {
+  Eigen::Matrix<typename Surface::Scalar, Surface::dimensions, 1> u;
+  for (int i = 0; i < Surface::dimensions; ++i) u[i] = source.next();
+  return surface.sample(out, u);
+}
+
+}  // namespace detail
+
+/// Three angles [degrees] from one side, one a channel, against Fresnel's equations in the angles.
+template <template <class> class Glass>
+auto glass_albedo(const std::string& name, const std::array<double, 3>& degrees, bool above) {
+  using detail::glass_index;
+  const double eta = above ? glass_index : 1 / glass_index;
+  std::array<double, 3> angles{};
+  std::vector<Reference> references;
+  for (std::size_t c = 0; c < 3; ++c) {
+    angles[c] = degrees[c] * std::numbers::pi / 180;
+    const double mean = radiance_albedo(fresnel_by_angles(angles[c], eta), eta);
+    references.push_back({mean, 0, largest_radiance_weight(eta) * (1 + 1e-12)});
+  }
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    const Glass<Real> glass(rounded<Real>(glass_index));
+    Rgb<Real> weight;
+    for (int c = 0; c < 3; ++c) {
+      const Vec3<Real> out = detail::out_at<Real>(angles[static_cast<std::size_t>(c)], above);
+      weight[c] = detail::bounce(glass, out, source).weight[0];
+    }
+    return weight;
+  };
+  return Estimand{name,
+                    {"Dielectric"},
+                    "radiance through glass: the mean weight of a bounce is F + (1 - F) / eta^2, at three angles",
+                    "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2",
+                    1,
+                    references,
+                    draw};
+}
+
+/// Cosine-distributed `out`: the mean weight is R + (1 - R) / eta^2, with R the diffuse reflectance of that side.
+template <template <class> class Glass>
+auto glass_diffuse(const std::string& name, bool above) {
+  using detail::glass_index;
+  const double eta = above ? glass_index : 1 / glass_index;
+  const double reflectance =
+      above ? diffuse_reflectance_outside(glass_index) : diffuse_reflectance_inside(glass_index);
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    Vec3<Real> out = CosineHemisphere<Real>().sample(next_pair<Real>(source));
+    if (!above) out = Vec3<Real>(-out);
+    return Real(detail::bounce(Glass<Real>(rounded<Real>(glass_index)), out, source).weight[0]);
+  };
+  return Estimand{name,
+                    {"Dielectric", "CosineHemisphere"},
+                    "diffuse radiance through glass: the mean weight of a bounce is R + (1 - R) / eta^2",
+                    "Walsh 1926; Duntley 1942",
+                    1,
+                    {{radiance_albedo(reflectance, eta), 0, largest_radiance_weight(eta) * (1 + 1e-12)}},
+                    draw};
+}
+
+/// The diffuse reflectance of glass from outside, 2 F cos in the mean over cosines that are uniform in [0,1). Bound: with
+/// h^2 = n^2 - 1 <= g^2, F is at most what is reflected polarised across, h^4 / (c + g)^4 <= h^4 / (c + h)^4, and c times
+/// that is largest at c = h / 3.
+inline auto fresnel_diffuse(const std::string& name) {
+  const double upper = 27.0 / 128 * std::sqrt(detail::glass_index * detail::glass_index - 1);
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Importance estimator(UniformHemisphere<Real>{}, [](const Vec3<Real>& w) {
+      return Real(fresnel_dielectric(w.z(), rounded<Real>(detail::glass_index)) * w.z() / pi<Real>);
+    });
+    return Real(estimator.estimate(source));
+  };
+  return Estimand{name,
+                    {"fresnel_dielectric", "Importance"},
+                    "glass reflects of diffuse light what Walsh and Duntley say",
+                    "Walsh 1926; Duntley 1942",
+                    1,
+                    {{diffuse_reflectance_outside(detail::glass_index), 0, upper}},
+                    draw};
+}
+
+/// The weight of a bounce off glass with the density of radiance undone: w eta^2 where it was refracted, to the other side. One
+/// `out` of 2^24 lies along the surface itself, on neither side, and all of it is reflected.
+template <class Glass>
+typename Glass::Scalar energy_weight(const Glass& glass, const Vec3<typename Glass::Scalar>& out,
+                                     const Bounce<typename Glass::Scalar>& bounce) {
+  using Real = typename Glass::Scalar;
+  const Real eta = select(bounce.in.z() * out.z() < Real(0), glass.eta(out), Real(1));
+  return bounce.weight[0] * eta * eta;
+}
+
+/// What cannot be lost: that weight is 1 for light from all sides.
+template <class Real, template <class> class Glass>
+Claim glass_energy(const std::string& name) {
+  const auto check = [](const Trial& trial) {
+    return check_constant<Real>(trial, 1, 4, [](auto& source) {
+      const Glass<Real> glass(rounded<Real>(detail::glass_index));
+      const Vec3<Real> out = UniformSphereArea<Real>(Real(1)).sample(next_pair<Real>(source));
+      return energy_weight(glass, out, detail::bounce(glass, out, source));
+    });
+  };
+  return {.name = name + real_suffix<Real>(),
+          .kind = "constant",
+          .subjects = {"Dielectric"},
+          .statement = "what glass does not reflect it refracts: weight eta^2 is 1 for every bounce, to 4 ulp",
+          .source = "conservation of energy",
+          .margin_factor = 1,
+          .check = check,
+          .real = real_name<Real>()};
+}
+
+/// A metal like copper, in red, green and blue: absorbing throughout, and least like an insulator in red.
+struct Copper {
+  std::array<double, 3> eta{0.22, 1.04, 1.21};
+  std::array<double, 3> k{3.7, 2.58, 2.2};
+
+  template <class Real>
+  Conductor<Real> surface() const {
+    const auto colour = [](const std::array<double, 3>& x) {
+      return Rgb<Real>(rounded<Real>(x[0]), rounded<Real>(x[1]), rounded<Real>(x[2]));
+    };
+    return Conductor<Real>(colour(eta), colour(k));
+  }
+  double reflectance(std::size_t channel, double angle) const {
+    return fresnel_by_amplitudes(angle, {eta[channel], k[channel]});
+  }
+};
+
+/// What a smooth conductor reflects of diffuse light: F sin(2 i) over the angle, by quadrature.
+inline auto conductor_diffuse(const std::string& name) {
+  std::vector<Reference> references;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto reflected = [c](double i, double) { return Copper().reflectance(c, i) * std::sin(2 * i); };
+    const double mean = integrate_rectangle(reflected, 0, std::numbers::pi / 2, 0, 1).value;
+    references.push_back({mean, 0, 1 + 1e-12});
+  }
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Vec3<Real> out = CosineHemisphere<Real>().sample(next_pair<Real>(source));
+    return detail::bounce(Copper().surface<Real>(), out, source).weight;
+  };
+  return Estimand{name,
+                    {"Conductor", "fresnel_conductor", "CosineHemisphere"},
+                    "copper reflects of diffuse light the integral of Fresnel's equations, per channel",
+                    "Born and Wolf, 14.2, in complex amplitudes; quadrature",
+                    1,
+                    references,
+                    draw};
+}
+
+/// A surface that every bounce from `angle` weighs the same on: `make(type_identity<Real>)` gives it; `mean` is its albedo.
+template <class Real, class Make>
+Claim constant_weight(const std::string& name, std::vector<std::string> subjects, const std::string& source,
+                      double angle, double mean, const Make& make) {
+  const auto check = [=](const Trial& trial) {
+    const auto surface = make(std::type_identity<Real>{});
+    return check_constant<Real>(trial, mean, 8, [&](auto& numbers) {
+      return Real(detail::bounce(surface, detail::out_at<Real>(angle, true), numbers).weight[0]);
+    });
+  };
+  return {.name = name + real_suffix<Real>(),
+          .kind = "constant",
+          .subjects = std::move(subjects),
+          .statement = "the weight of every bounce is the albedo, to 8 ulp",
+          .source = source,
+          .margin_factor = 1,
+          .check = check,
+          .real = real_name<Real>()};
+}
+
+/// In double and in packets.
+template <class Make>
+void add_constant_weight(std::vector<Claim>& claims, const std::string& name,
+                         const std::vector<std::string>& subjects, const std::string& source, double angle,
+                         double mean, const Make& make) {
+  claims.push_back(constant_weight<double>(name, subjects, source, angle, mean, make));
+  claims.push_back(constant_weight<Packet>(name, subjects, source, angle, mean, make));
+}
+
+}  // namespace fairlight

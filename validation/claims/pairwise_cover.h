@@ -1,0 +1,124 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fairlight/render/settings.h>
+
+namespace fairlight {
+
+/// A way to look for light: with shadow rays to points that are sampled like this, or without any.
+struct LightSearch {
+  std::string direct, light_sampling;
+};
+
+/// All that the renderer has under lights that are spheres.
+inline std::vector<LightSearch> searches_of_spheres() {
+  return {{"none", "area"}, {"light", "area"},  {"light", "visible"}, {"light", "cone"},
+          {"mis", "area"},  {"mis", "visible"}, {"mis", "cone"}};
+}
+
+/// And under rectangles: without the light's area alone, whose variance is infinite where they meet, as
+/// points of two of them are as near to each other as can be.
+inline std::vector<LightSearch> searches_of_rectangles() {
+  return {{"none", "area"}, {"light", "solid-angle"}, {"mis", "solid-angle"}, {"mis", "area"}};
+}
+
+/// Strategies of the renderer, one of each kind, so that every bounce meets every search for light and every choice of a light; and that
+/// any two strategies of any two kinds meet, among them roulette, numbers, filters, the lens and the arithmetic: what goes wrong in a
+/// composition mostly takes two. Rows are completed one by one so that the most pairs meet that have not, and among these the pairs that have
+/// met the least often; where nothing is chosen there are as many rows, for the others to meet. Throws std::invalid_argument for more than 15
+/// searches.
+/// Source: Cohen, Dalal, Fredman, Patton 1997 (IEEE TSE 23:437)
+class PairwiseCover {
+ public:
+  /// Of paths of at most `depth` bounces; of three where bounces are uniform, each of which doubles what a path may bring.
+  PairwiseCover(const std::vector<LightSearch>& searches, int depth) {
+    if (searches.size() >= most) throw std::invalid_argument("there are too many searches to be crossed");
+    for (std::size_t bounce = 0; bounce < bounces.size(); ++bounce) {
+      for (std::size_t search = 0; search < searches.size(); ++search) {
+        const bool chooses = searches[search].direct != "none";
+        for (std::size_t choice = 0; choice < choices.size(); ++choice) {
+          Completion best;
+          complete({bounce, search, chooses ? choice : no_choice}, first_completed, best);
+          for_each_pair(best.row, [&](std::size_t pair) { ++met_[pair]; });
+          rows_.push_back(settings_of(best.row, searches[search], depth));
+        }
+      }
+    }
+  }
+
+  std::vector<RenderSettings> rows() const { return rows_; }
+
+ private:
+  // Strategies by their numbers: bounce, search, choice, roulette, numbers, filter, aperture, real.
+  using Row = std::array<std::size_t, 8>;
+  static constexpr std::size_t kinds = 8, first_completed = 3;
+  static constexpr std::size_t most = 16, no_choice = most - 1;
+
+  static constexpr std::array bounces{"cosine", "uniform"};
+  static constexpr std::array choices{"all", "one", "power", "contribution"};
+  static constexpr std::array roulettes{"albedo", "throughput", "off"};
+  static constexpr std::array numbers{"independent", "sobol", "stratified"};
+  static constexpr std::array filters{"tent", "box", "gaussian", "blackman-harris"};
+  static constexpr std::array apertures{0.0, 0.2};
+  static constexpr std::array reals{"double", "packet"};
+  static constexpr std::array completions{roulettes.size(), numbers.size(), filters.size(), apertures.size(),
+                                          reals.size()};
+
+  template <class Use>
+  static void for_each_pair(const Row& row, const Use& use) {
+    for (std::size_t i = 0; i < kinds; ++i) {
+      for (std::size_t j = 0; j < i; ++j) use(((i * most + row[i]) * kinds + j) * most + row[j]);
+    }
+  }
+
+  struct Completion {
+    Row row{};
+    std::pair<int, int> cost{std::numeric_limits<int>::max(), 0};  ///< pairs that have met, and how often all told
+  };
+
+  // Tries all that a row may go on with, from a kind on.
+  void complete(Row row, std::size_t kind, Completion& best) const {
+    if (kind < kinds) {
+      for (row[kind] = 0; row[kind] < completions[kind - first_completed]; ++row[kind]) {
+        complete(row, kind + 1, best);
+      }
+      return;
+    }
+    std::pair cost{0, 0};
+    for_each_pair(row, [&](std::size_t pair) {
+      cost.first += met_[pair] > 0 ? 1 : 0;
+      cost.second += met_[pair];
+    });
+    if (cost < best.cost) best = {row, cost};
+  }
+
+  static RenderSettings settings_of(const Row& row, const LightSearch& search, int depth) {
+    RenderSettings settings;
+    settings.bounce = bounces[row[0]];
+    settings.direct = search.direct;
+    settings.light_sampling = search.light_sampling;
+    if (row[2] != no_choice) settings.which_light = choices[row[2]];
+    settings.roulette = roulettes[row[3]];
+    if (settings.roulette == "throughput") settings.roulette_depth = 2;  // paths are short
+    settings.random = numbers[row[4]];
+    settings.points = settings.random == "independent" ? 1 : 4;
+    settings.filter = filters[row[5]];
+    settings.aperture = apertures[row[6]];
+    settings.real = reals[row[7]];
+    settings.max_depth = settings.bounce == "uniform" ? std::min(depth, 3) : depth;
+    return settings;
+  }
+
+  std::vector<int> met_ = std::vector<int>(kinds * most * kinds * most);
+  std::vector<RenderSettings> rows_;
+};
+
+}  // namespace fairlight

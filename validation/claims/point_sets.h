@@ -1,0 +1,202 @@
+#pragma once
+
+#include <fairlight/stats/law_test.h>
+#include <fairlight/stats/rosenblatt.h>
+#include <fairlight/stats/second_order.h>
+#include <fairlight/validation/checks/estimand.h>
+#include <fairlight/validation/checks/variances.h>
+
+namespace fairlight {
+
+/// What is claimed of every kind of point set. The claims draw from replicate i in draw i: draws are independent,
+/// and each point, each lane and 37 pairs of dimensions (for Sobol's, the padded ones among them) have their turn.
+
+/// Two dimensions of a point: 2k and 2k + 1, or one of pair k and one of another pair.
+enum class Dimensions { of_one_pair, of_two_pairs };
+
+template <template <class> class Set, class Real>
+Vec2<double> two_dimensions(const StreamKey& key, std::uint64_t i, Dimensions which) {
+  const Set<Real> set(key, number_in_key(i, "replicates"), points_a_replicate);
+  const auto points = point_numbers<Real>(static_cast<std::uint32_t>(i % set.size()), set.size());
+  const auto lane = static_cast<std::size_t>(i / set.size()) % lanes<Real>;
+  const auto k = static_cast<std::uint32_t>(i % 37);
+  const auto first = set.pair(points, k);
+  if (which == Dimensions::of_one_pair) return {detail::lane_of(first[0], lane), detail::lane_of(first[1], lane)};
+  const auto second = set.pair(points, k + 1 + static_cast<std::uint32_t>(i % 5));
+  return {detail::lane_of(first[i / set.size() % 2], lane), detail::lane_of(second[i / set.size() / 2 % 2], lane)};
+}
+
+/// A point of a set is uniform: its pairs of dimensions are on the square, by chi-square.
+template <template <class> class Set>
+Claim point_law_claim(const PointSetKind<Set>& kind) {
+  return {.name = kind.suffix + ".law",
+          .kind = "law",
+          .subjects = {kind.subject, kind.source},
+          .statement = "any point of a replicate is uniform, in dimensions 2k and 2k + 1",
+          .source = "Owen 1995; McKay, Beckman, Conover 1979",
+          .margin_factor = 10,
+          .check = [](const Trial& trial) {
+            const StreamKey key(trial.seed, trial.claim);
+            return test_law(
+                trial, SquareDomain{0, 1}, [](const Vec2<double>&) { return 1.0; },
+                [&](std::uint64_t i) { return two_dimensions<Set, double>(key, i, Dimensions::of_one_pair); });
+          }};
+}
+
+/// And dimensions of two different pairs are independent, by bounded moments.
+template <class Real, template <class> class Set>
+Claim point_moments_claim(const PointSetKind<Set>& kind) {
+  return {.name = kind.suffix + ".moments" + real_suffix<Real>(),
+          .kind = "law",
+          .subjects = {kind.subject, kind.source},
+          .statement =
+              "any point of a replicate has the cosine moments of the uniform law, up to the third, in "
+              "dimensions of two pairs",
+          .source = "Owen 1995; McKay, Beckman, Conover 1979",
+          .margin_factor = 10,
+          .check =
+              [](const Trial& trial) {
+                const StreamKey key(trial.seed, trial.claim);
+                return test_rosenblatt(
+                    trial, [](double, double) { return 1.0; },
+                    [&](std::uint64_t i) { return two_dimensions<Set, Real>(key, i, Dimensions::of_two_pairs); });
+              },
+          .real = real_name<Real>()};
+}
+
+/// Replicates do not know of each other: the same number of two of them has the covariance 0. Each has the mean 1/2
+/// and the variance 1/12.
+template <template <class> class Set>
+Claim replicates_uncorrelated_claim(const PointSetKind<Set>& kind) {
+  return {.name = kind.suffix + ".replicates",
+          .kind = "second order",
+          .subjects = {kind.subject, kind.source},
+          .statement = "the same number of two replicates is uncorrelated",
+          .source = "the replicates' random words differ",
+          .margin_factor = 5,
+          .check = [](const Trial& trial) {
+            const StreamKey key(trial.seed, trial.claim);
+            return test_uncorrelated(trial, {0.5, 0.5}, 0.5, 1.0 / 12, [&](std::uint64_t i) {
+              const auto number = [&](std::uint64_t replicate) {
+                const Set<double> set(key, number_in_key(replicate, "replicates"), points_a_replicate);
+                const auto point = static_cast<std::uint32_t>(i % set.size());
+                return set.pair(point, static_cast<std::uint32_t>(i % 37))[i / set.size() % 2];
+              };
+              return std::pair(number(2 * i), number(2 * i + 1));
+            });
+          }};
+}
+
+/// The integral of x0^2 x2 over the cube is 1/6 even from three points: strata that are as wide as a third of the
+/// axis, or a grid with an empty cell, must not show.
+template <template <class> class Set>
+Claim three_points_claim(const PointSetKind<Set>& kind) {
+  return {.name = kind.suffix + ".three_points",
+          .kind = "mean",
+          .subjects = {kind.subject, kind.source},
+          .statement = "the integral of x0^2 x2 over the cube is 1/6, over replicates of three points",
+          .source = "elementary",
+          .margin_factor = 5,
+          .check = [](const Trial& trial) {
+            const auto body = body_of_source<double>([](auto& source) {
+              const double x0 = source.next();
+              source.next();
+              return x0 * x0 * source.next();
+            });
+            return check_replicates<Set<double>>(trial, {{1.0 / 6, 0, 1}}, body, 3);
+          }};
+}
+
+/// The mean of a coordinate over points of which each width-th of its axis has the same number, uniform and independent within: the
+/// variance is that of a number in its stratum, 1 / (12 width^2), over n. A hash scrambles nearly so: 1 % is left to it. Of Sobol's
+/// first coordinate any n points that follow each other are as even, so the first eight coordinates take turns.
+template <template <class> class Set>
+Claim stratified_variance_claim(const PointSetKind<Set>& kind, std::uint32_t n, std::uint32_t width) {
+  return {.name = kind.suffix + ".variance",
+          .kind = "second order",
+          .subjects = {kind.subject, kind.source},
+          .statement = "the mean of any of the first eight coordinates over " + std::to_string(n) +
+                       " points has at most 1.01 times the variance 1 / (12 x " + std::to_string(width) + "^2 x " +
+                       std::to_string(n) + ")",
+          .source = "Owen 1997, \"Monte Carlo variance of scrambled net quadrature\"; elementary",
+          .margin_factor = 20,
+          .check = [n, width](const Trial& trial) {
+            const StreamKey key(trial.seed, trial.claim);
+            const auto mean = [&](std::uint64_t replicate) {
+              return replicate_mean<Set<double>>(key, replicate, n, [&](auto& source) {
+                for (std::uint64_t skipped = 0; skipped < replicate % 8; ++skipped) source.next();
+                return source.next();
+              });
+            };
+            const double reach = 0.5 / width + n * ulp<double>;
+            return test_variance(trial, 1.01 / (12.0 * width * width * n), {mean, 0.5 - reach, 0.5 + reach},
+                                 Sides::not_above);
+          }};
+}
+
+/// The mean of x0 x2 over the points, against independent ones. Of its variance 7/144 over n two parts of 3/144, of x0 and of
+/// x2 alone, all but vanish in a well spread set; what both have in common, 1/144, stays: over n - 1 where the two come in
+/// random orders, and over 4 or more where they come in the same.
+template <template <class> class Set>
+Claim product_variance_claim(const PointSetKind<Set>& kind, double ratio) {
+  const auto product = [](auto& source) {
+    const double x0 = source.pair()[0];
+    return x0 * source.pair()[0];
+  };
+  return variance_claim("variance." + kind.suffix + "_against_independent", {kind.subject, kind.source},
+                        "elementary; Owen 1998, \"Latin supercube sampling\"", ratio, 80,
+                        replicates_of<Set<double>>("the mean of x0 x2 over 16 points", product, 0, 1, 16),
+                        independent_draws(
+                            "that over 16 independent ones",
+                            [](auto& source) {
+                              const double x0 = source.next();
+                              return x0 * source.next();
+                            },
+                            0, 1, 16));
+}
+
+/// The integral of x0 x2 over the cube is 1/4.
+inline auto product_integral() {
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Real x0 = source.next();
+    source.next();
+    return Real(x0 * source.next());
+  };
+  return Estimand{"stream.product",
+                    {"PhiloxStream"},
+                    "the integral of x0 x2 over the cube is 1/4",
+                    "elementary",
+                    2,
+                    {{0.25, 0, 1}},
+                    draw};
+}
+
+/// A source's numbers as they come.
+template <class Source>
+struct AsTheyCome {
+  Source& source;
+  auto next() { return source.next(); }
+};
+
+/// The integral of x0 x5 x10 over the cube is 1/8: numbers of three blocks of Philox, which has five of a packet, or two in double.
+template <template <class> class Numbers = AsTheyCome>
+auto blocks_integral() {
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    Numbers<std::remove_reference_t<decltype(source)>> numbers{source};
+    Real product(1);
+    for (int i = 0; i <= 10; ++i) {
+      const Real x = numbers.next();
+      if (i % 5 == 0) product *= x;
+    }
+    return product;
+  };
+  return Estimand{"stream.blocks",
+                    {"PhiloxStream"},
+                    "the integral of x0 x5 x10 over the cube is 1/8",
+                    "elementary",
+                    4,
+                    {{0.125, 0, 1}},
+                    draw};
+}
+
+}  // namespace fairlight

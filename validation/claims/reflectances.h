@@ -1,0 +1,150 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fairlight/estimators/reflectance.h>
+#include <fairlight/stats/quadrature.h>
+#include <fairlight/validation/claims/materials.h>
+
+namespace fairlight {
+
+/// The mean of a reflectance over cosines that are uniform in a range, which integrates a function of the cosine and nothing else: no
+/// direction, no lobe. The whole range is cut, as a fault at grazing angles would drown in what is reflected elsewhere.
+
+struct CosineRange {
+  const char* name;
+  double low, high;
+};
+inline constexpr std::array<CosineRange, 3> cosine_ranges{
+    {{"grazing", 0, 0.1}, {"oblique", 0.1, 0.5}, {"steep", 0.5, 1}}};
+
+namespace detail {
+
+/// The mean of F, a function of the angle to the normal [rad], over uniform cosines: of F sin over the angles, by quadrature.
+inline double mean_over_cosines(double low, double high, const auto& reflectance) {
+  const auto integrand = [&](double angle, double) { return reflectance(angle) * std::sin(angle); };
+  return integrate_rectangle(integrand, std::acos(high), std::acos(low), 0, 1).value / (high - low);
+}
+
+/// A colour of these numbers, as near as Real comes to them.
+template <class Real>
+Rgb<Real> rounded_colour(const std::array<double, 3>& x) {
+  return {rounded<Real>(x[0]), rounded<Real>(x[1]), rounded<Real>(x[2])};
+}
+
+/// A cosine that is uniform in [low, high).
+template <class Real>
+Real cosine_between(double low, double high, auto& source) {
+  return rounded<Real>(low) + rounded<Real>(high - low) * source.next();
+}
+
+}  // namespace detail
+
+/// Indices below and above that of glass, one a channel.
+inline constexpr std::array<double, 3> insulator_indices{1.33, 1.5, 2.4};
+
+/// From outside. Bound: F falls with the cosine, from what the most grazing reflects.
+inline auto insulator_outside(const CosineRange& range) {
+  std::vector<Reference> references;
+  for (const double n : insulator_indices) {
+    const auto reflectance = [n](double angle) { return fresnel_by_angles(angle, n); };
+    references.push_back({detail::mean_over_cosines(range.low, range.high, reflectance), 0,
+                          reflectance(std::acos(range.low)) * (1 + 1e-12)});
+  }
+  const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
+    const Real cosine = detail::cosine_between<Real>(range.low, range.high, source);
+    Rgb<Real> reflected;
+    for (std::size_t c = 0; c < 3; ++c)
+      reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(insulator_indices[c]));
+    return reflected;
+  };
+  return Estimand{
+      std::string("fresnel.dielectric.outside.") + range.name,
+      {"fresnel_dielectric"},
+      "three insulators reflect from outside the integral of Fresnel's equations, over a range of cosines",
+      "Born and Wolf, 1.5.2, in the angles; quadrature",
+      1,
+      references,
+      draw};
+}
+
+/// From inside, over all cosines: all is reflected up to the critical one, and the rest of the way is by quadrature. And over the latter
+/// alone, from just below it, where a total reflection that begins elsewhere shows.
+inline auto insulator_inside(const std::string& name, bool refracted) {
+  std::vector<Reference> references;
+  std::array<double, 3> lows{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double eta = 1 / insulator_indices[c], critical = std::sqrt(1 - eta * eta);
+    const auto reflectance = [eta](double angle) { return fresnel_by_angles(angle, eta); };
+    lows[c] = refracted ? critical - 0.05 : 0;
+    const double beyond = detail::mean_over_cosines(critical, 1, reflectance) * (1 - critical);
+    references.push_back({(critical - lows[c] + beyond) / (1 - lows[c]), 0, 1 + 1e-12});
+  }
+  const auto draw = [lows]<class Real>(std::type_identity<Real>, auto& source) {
+    const Real u = source.next();
+    Rgb<Real> reflected;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Real cosine = rounded<Real>(lows[c]) + rounded<Real>(1 - lows[c]) * u;
+      reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(1 / insulator_indices[c]));
+    }
+    return reflected;
+  };
+  return Estimand{
+      name,
+      {"fresnel_dielectric"},
+      "three insulators reflect from inside the integral of Fresnel's equations, and all up to the critical angle",
+      "Born and Wolf, 1.5.2, in the angles; quadrature",
+      1,
+      references,
+      draw};
+}
+
+/// Copper, whose index is complex.
+inline auto copper_reflectance(const CosineRange& range) {
+  std::vector<Reference> references;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto reflectance = [c](double angle) { return Copper().reflectance(c, angle); };
+    references.push_back({detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-12});
+  }
+  const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
+    const FresnelReflectance<Real> copper(detail::rounded_colour<Real>(Copper().eta),
+                                          detail::rounded_colour<Real>(Copper().k));
+    return copper(detail::cosine_between<Real>(range.low, range.high, source));
+  };
+  return Estimand{std::string("fresnel.conductor.") + range.name,
+                    {"FresnelReflectance", "fresnel_conductor"},
+                    "copper reflects the integral of Fresnel's equations, over a range of cosines",
+                    "Born and Wolf, 14.2, in complex amplitudes; quadrature",
+                    1,
+                    references,
+                    draw};
+}
+
+/// The mean of (1 - c)^5 over c in [a, b] is ((1 - a)^6 - (1 - b)^6) / (6 (b - a)).
+inline auto schlick_reflectance(const CosineRange& range) {
+  static constexpr std::array<double, 3> at_normal{0.04, 0.5, 0.95};
+  const auto& [name, a, b] = range;
+  const double power = (std::pow(1 - a, 6) - std::pow(1 - b, 6)) / (6 * (b - a));
+  std::vector<Reference> references;
+  for (const double f : at_normal)
+    references.push_back({f + (1 - f) * power, 0, (f + (1 - f) * std::pow(1 - a, 5)) * (1 + 1e-12)});
+  const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
+    return SchlickReflectance<Real>(detail::rounded_colour<Real>(at_normal))(
+        detail::cosine_between<Real>(range.low, range.high, source));
+  };
+  return Estimand{std::string("schlick.") + name,
+                    {"SchlickReflectance"},
+                    "Schlick's reflectance has the integral of a fifth power, over a range of cosines",
+                    "elementary; Schlick 1994",
+                    1,
+                    references,
+                    draw};
+}
+
+}  // namespace fairlight

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cmath>
+
+#include <fairlight/estimators/lambertian.h>
+#include <fairlight/estimators/roulette.h>
+#include <fairlight/validation/checks/estimand.h>
+
+namespace fairlight {
+
+/// A path that bounces on one diffuse surface after the other, counts what it carries at each, and has nothing but
+/// roulette to end it: the sum of the powers of the albedo, 1 / (1 - albedo), per channel.
+/// Bound: a bounce weighs the albedo or, with uniform directions, 2 albedo z, so no channel carries more than `most`, 1 or 2, and the
+/// sum is at most that times the number of vertices N. From bounce `first` on a path goes on with at most the probability q that
+/// roulette has in the mean, the largest albedo, so N - first is at most geometric, and E[(N - K)+] <= q^(K + 1 - first) / (1 - q).
+template <class Roulette, template <class> class Directions>
+auto roulette_walk(const std::string& name, const std::string& subject, double most, int first = 1,
+                   const Roulette& roulette = Roulette()) {
+  const Rgb<double> albedo(0.125, 0.25, 0.05);
+  const double q = albedo.maxCoeff();
+  const int vertices = 16 + first;  // so that the tail is nothing to the finest margins
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) {
+    references.push_back(
+        {1 / (1 - albedo[c]), 0, most * vertices, most * std::pow(q, vertices + 1 - first) / (1 - q)});
+  }
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    const Rgb<Real> reflectance(rounded<Real>(albedo[0]), rounded<Real>(albedo[1]), rounded<Real>(albedo[2]));
+    const Lambertian<Real, Directions> surface(reflectance);
+    const Vec3<Real> out(Real(0), Real(0), Real(1));
+    Rgb<Real> sum = Rgb<Real>::Zero();
+    Rgb<Real> throughput = Rgb<Real>::Ones();
+    for (int depth = 0; any(max_channel(throughput) > Real(0)); ++depth) {
+      sum += throughput;
+      const auto [alive, weight] =
+          roulette.template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
+      const auto bounce = surface.sample(out, next_pair<Real>(source));
+      throughput = select(alive, Rgb<Real>(throughput * bounce.weight * weight), zero<Rgb<Real>>());
+    }
+    return sum;
+  };
+  return Estimand{name,
+                    {subject},
+                    "bounces without end carry 1 / (1 - albedo) together, per channel",
+                    "geometric series",
+                    1,
+                    references,
+                    draw};
+}
+
+/// With the first bounce spared.
+template <template <class> class FromBounce>
+auto later_roulette_walk() {
+  using Later = FromBounce<RouletteByThroughput<>>;
+  return roulette_walk<Later, UniformHemisphere>("roulette.walk.throughput_later", "RouletteFromBounce", 2, 2,
+                                                 Later(2));
+}
+
+/// How many vertices a path has, which is what it costs, on surfaces that reflect 1/4 at most. That it is longer shows in no mean of
+/// what it carries. The tail, E[(N - 17)+], is that of a path that goes on with 1/4 always; it is the same where the first bounce is
+/// certain and the second has 1/16.
+template <class Roulette>
+auto walk_length(const std::string& name, const std::string& subject, const std::string& statement, double mean,
+                 const Roulette& roulette) {
+  constexpr double q = 0.25;
+  constexpr int vertices = 17;
+  const auto draw = [roulette]<class Real>(std::type_identity<Real>, auto& source) {
+    const Rgb<Real> reflectance(Real(0.125), Real(q), Real(0.0625));
+    Rgb<Real> throughput = Rgb<Real>::Ones();
+    Real length(1);
+    Mask<Real> alive(true);
+    for (int depth = 0; any(alive); ++depth) {
+      const auto [goes_on, weight] =
+          roulette.template play<Real>(reflectance, throughput, rounded<Real>(depth), source);
+      alive = alive && goes_on;
+      throughput *= reflectance * weight;
+      length += select(alive, Real(1), Real(0));
+    }
+    return length;
+  };
+  return Estimand{name,      {subject},
+                    statement, "geometric series; the paper, 3.2.1",
+                    2,         {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}},
+                    draw};
+}
+
+template <class Roulette>
+auto roulette_walk_length() {
+  return walk_length("roulette.walk.length", "RouletteByReflectance",
+                     "a path that goes on with the largest reflectance, 1/4, has 4/3 vertices", 4.0 / 3,
+                     Roulette());
+}
+
+/// Of what it will carry the second bounce leaves 1/4 x 1/4, and any after it 1/4, as a survivor carries 1.
+template <class Roulette>
+auto later_roulette_walk_length() {
+  return walk_length(
+      "roulette.walk.length_later", "RouletteByThroughput",
+      "a path that goes on from its second bounce with what it will carry, 1/16 and then 1/4, has 25/12 "
+      "vertices",
+      2 + 1.0 / 16 / (1 - 0.25), RouletteFromBounce<Roulette>(2));
+}
+
+}  // namespace fairlight

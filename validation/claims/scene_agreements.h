@@ -1,0 +1,137 @@
+#pragma once
+
+#include <fairlight/render/render_image.h>
+#include <fairlight/render/strategies.h>
+#include <fairlight/validation/checks/padded_sets.h>
+#include <fairlight/validation/claims/radiance.h>
+
+namespace fairlight {
+
+/// What two sets of strategies may be compared by, in a built-in scene.
+struct SceneComparison {
+  std::string scene;
+  int max_depth;         ///< of both
+  double darkest;        ///< the one's less the other's is no less, in grey
+  double brightest;      ///< and no more; but for the emission that the camera sees, which is the same
+  double mean;           ///< of the picture, in grey: no more than it is
+  double margin_factor;  ///< relative to the mean
+};
+
+/// The mean of a whole picture by two sets of strategies, which must be the same: paths from one point of the image and of
+/// the lens, each followed by both, so that what the camera sees of the lights themselves is no difference.
+inline auto strategies_agree(const std::string& name, std::vector<std::string> subjects,
+                             const SceneComparison& comparison, RenderSettings one, RenderSettings other) {
+  one.scene = other.scene = comparison.scene;
+  one.max_depth = other.max_depth = comparison.max_depth;
+  const View view = view_of(one);
+  const auto tracer = [&](const RenderSettings& settings) {
+    const auto make = [scene = view.scene, settings]<class Real>(std::type_identity<Real>) {
+      return chosen_tracer<Real>(Strategies(settings, scene), scene);
+    };
+    return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
+  };
+  // Of a vertex: of shadow rays to all luminaires two each, of a choice among them one, of a roulette one, of a bounce two.
+  const std::size_t numbers =
+      static_cast<std::size_t>(comparison.max_depth) * (2 * view.scene.luminaires().size() + 4);
+  const auto draw = [numbers, camera = view.camera, a = tracer(one), b = tracer(other)]<class Real>(
+                        std::type_identity<Real> real, auto& source) {
+    const Vec2<Real> place = next_pair<Real>(source);
+    const Ray<Real> ray = camera.template ray<Real>(place.x(), place.y(), 1, 1, source);
+    auto ahead = source.take(numbers);
+    const Rgb<Real> by_other = b.along(ray, real, ahead);
+    const Rgb<Real> difference = a.along(ray, real, source) - by_other;
+    return Real((difference[0] + difference[1] + difference[2]) / Real(3));
+  };
+  return Estimand{name,
+                    std::move(subjects),
+                    "the mean of the picture of " + comparison.scene + " is the same by both strategies",
+                    "the same integral",
+                    comparison.margin_factor,
+                    {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}},
+                    draw};
+}
+
+/// A square of a picture, of which (0,0) is the upper left corner and (1,1) the lower right one.
+struct PictureSquare {
+  double left = 0, top = 0, side = 1;
+};
+
+/// Around the light of cornell-simple as its camera sees it: where it is a pixel's width inside.
+inline constexpr PictureSquare around_the_light_of_cornell_simple{0.48, 0.2775, 0.04};
+
+/// What packets of floats add to a picture or take from it: the same paths in packets and, lane by lane from the same numbers,
+/// in double. They part only where a float is rounded across an edge. `part(type_identity<Real>, ray, source)` gives what is
+/// compared along a ray of the view's camera, a grey number of at most `largest`, and 0 outside of the square; the margin is
+/// relative to `mean`, of the whole picture.
+template <class Part>
+Claim floats_against_double(const std::string& name, const View& view, double largest, double mean,
+                            double margin_factor, Part part, const PictureSquare& square = {}) {
+  const auto draw = [camera = view.camera, part, square]<class Real>(std::type_identity<Real> real, auto& source) {
+    const Vec2<Real> place = next_pair<Real>(source);
+    const Real x = rounded<Real>(square.left) + rounded<Real>(square.side) * place.x();
+    const Real y = rounded<Real>(square.top) + rounded<Real>(square.side) * place.y();
+    return Real(rounded<Real>(square.side * square.side) *
+                part(real, camera.template ray<Real>(x, y, 1, 1, source), source));
+  };
+  largest *= square.side * square.side;
+  const PairedDraws draws = paired_draws<Packet>(body_of<double>(draw), body_of<Packet>(draw), 1);
+  return {.name = name,
+          .kind = "agreement",
+          .subjects = {"PathTracer"},
+          .statement = "the mean of the picture in packets of floats is that in double, path by path",
+          .source = "the same integral",
+          .margin_factor = margin_factor,
+          .check =
+              [=](const Trial& trial) {
+                const std::vector<Reference> floats{{0, -largest, largest, 0, mean}};
+                return test_means(trial, rounded_references<Packet>(floats),
+                                  draws.double_minus_packet(StreamKey(trial.seed, trial.claim), floats));
+              },
+          .real = "packet"};
+}
+
+/// The mean of a whole picture by the numbers of sets, which must be that by independent ones: paths from the points of a set, as places
+/// on the image, followed from vertex to vertex by the set's numbers and by independent ones. Whole sets are the draws.
+template <class Real, class Numbers>
+Claim sets_agree(const std::string& name, std::vector<std::string> subjects, const SceneComparison& comparison,
+                 RenderSettings settings, std::uint32_t n = 4) {
+  settings.scene = comparison.scene;
+  settings.max_depth = comparison.max_depth;
+  subjects.insert(subjects.end(), {"VertexSource", "IndependentNumbers", "PathTracer"});
+  return {.name = name + real_suffix<Real>(),
+          .kind = "mean",
+          .subjects = std::move(subjects),
+          .statement = "the mean of the picture of " + comparison.scene + " is the same by sets of " +
+                       std::to_string(n) + " points as by independent numbers",
+          .source = "the same integral",
+          .margin_factor = comparison.margin_factor,
+          .check =
+              [=](const Trial& trial) {
+                const View view = view_of(settings);
+                const TracedScene<Real> scene(view.scene);
+                const auto tracer = chosen_tracer<Real>(Strategies(settings, view.scene), view.scene);
+                const IndependentNumbers independent(StreamKey(trial.seed, trial.claim + " independent"));
+                const Reference reference{0, comparison.darkest, comparison.brightest, 0, comparison.mean};
+                return check_sets<Real, Numbers>(trial, {reference}, n, [&](const auto& numbers) {
+                  auto camera = numbers.at(0);
+                  const Vec2<Real> place = next_pair<Real>(camera);
+                  const Path<Real> path{view.camera.template ray<Real>(place.x(), place.y(), 1, 1, camera)};
+                  const PathNumbers<Real, IndependentNumbers> others{independent, numbers.pixel, numbers.sample};
+                  const Rgb<Real> difference =
+                      followed<Real>(tracer, scene, path, numbers) - followed<Real>(tracer, scene, path, others);
+                  return Real((difference[0] + difference[1] + difference[2]) / Real(3));
+                });
+              },
+          .real = real_name<Real>()};
+}
+
+/// The same by Sobol' points, and by strata.
+template <class Real>
+void add_sets(std::vector<Claim>& claims, const SceneComparison& comparison, const RenderSettings& settings) {
+  claims.push_back(
+      sets_agree<Real, PaddedSobol>(comparison.scene + ".random.sobol", {"PaddedSobol"}, comparison, settings));
+  claims.push_back(sets_agree<Real, PaddedStrata>(comparison.scene + ".random.stratified", {"PaddedStrata"},
+                                                  comparison, settings));
+}
+
+}  // namespace fairlight

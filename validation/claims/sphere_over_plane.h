@@ -1,0 +1,129 @@
+#pragma once
+
+#include <fairlight/validation/claims/radiance.h>
+
+namespace fairlight {
+
+/// Spheres of radiance Le over a diffuse floor of albedo rho. A sphere of radius r at distance d, wholly above the
+/// horizon, gives the irradiance E = pi Le (r/d)^2 cos(theta) with theta the angle of its centre: its directions
+/// fill a cone of half-angle asin(r/d), and the projected solid angle of a cone is pi sin^2 cos(theta) (Nusselt's
+/// analogue; Snyder 1996). The floor then shows rho E / pi, whatever the direction of view, and lights add up.
+struct SpheresOverPlane {
+  struct Light {
+    Vec3<double> centre;
+    double radius;
+    Rgb<double> radiance;
+  };
+
+  Scene scene;
+  std::vector<Light> lights;
+  Rgb<double> albedo{0.75, 0.5, 0.25};
+  // The floor is a sphere of radius 1e5 seen from without, so all of the lights stand above its horizon at the
+  // origin.
+  Ray<double> ray{{0, 0.5, 0}, {0, -1, 0}, -1};
+
+  explicit SpheresOverPlane(std::vector<Light> all) : lights(std::move(all)) {
+    scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, albedo, Rgb<double>::Zero());
+    for (const Light& light : lights)
+      scene.add_sphere(light.centre, light.radius, Rgb<double>::Zero(), light.radiance);
+  }
+
+  /// The radiance of the floor at the origin.
+  double reference(int channel) const {
+    double sum = 0;
+    for (const Light& light : lights) {
+      const double ratio = light.radius / light.centre.norm();
+      sum += light.radiance[channel] * ratio * ratio * light.centre.y() / light.centre.norm();
+    }
+    return albedo[channel] * sum;
+  }
+
+  /// The largest shadow-ray term of a light: A Le f / d^2 with d the distance to its nearest point.
+  double largest_term(const Light& light, int channel) const {
+    const double nearest = light.centre.norm() - light.radius;
+    return 4 * light.radius * light.radius * light.radiance[channel] * albedo[channel] / (nearest * nearest);
+  }
+
+  /// By cone: S Le f with S = 2 pi (1 - cos) the solid angle.
+  double largest_cone_term(const Light& light, int channel) const {
+    const double sine = light.radius / light.centre.norm();
+    return 2 * (1 - std::sqrt(1 - sine * sine)) * light.radiance[channel] * albedo[channel];
+  }
+
+  double sum_of_terms(int channel) const {
+    double sum = 0;
+    for (const Light& light : lights) sum += largest_term(light, channel);
+    return sum;
+  }
+
+  double sum_of_cone_terms(int channel) const {
+    double sum = 0;
+    for (const Light& light : lights) sum += largest_cone_term(light, channel);
+    return sum;
+  }
+
+  double largest_radiance(int channel) const {
+    double largest = 0;
+    for (const Light& light : lights) largest = std::max(largest, light.radiance[channel]);
+    return largest;
+  }
+};
+
+/// So far that half of its points are seen.
+inline SpheresOverPlane one_light() { return SpheresOverPlane({{{3, 12, 4}, 1, {1, 4, 2}}}); }
+
+/// So near that bounces find it often.
+inline SpheresOverPlane large_light() { return SpheresOverPlane({{{1.5, 2.5, 1}, 2.4, {1, 4, 2}}}); }
+
+/// Unequal in size, distance and power, and neither hides the other.
+inline SpheresOverPlane two_lights() {
+  return SpheresOverPlane({{{3, 5, 2}, 1.5, {1, 4, 2}}, {{-2, 4, -1.5}, 0.6, {12, 8, 20}}});
+}
+
+/// The floor's radiance through a path of one bounce, by the tracers that `make` gives. `bound` gives the largest draw of a channel.
+template <class Make, class Bound>
+auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,
+                    double margin_factor, const Bound& bound, const Make& make) {
+  std::vector<Reference> references;
+  for (int c = 0; c < 3; ++c) references.push_back({floor.reference(c), 0, bound(floor, c) * (1 + 1e-9)});
+  return Estimand{name,
+                    std::move(subjects),
+                    "under " + std::to_string(floor.lights.size()) +
+                        " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
+                    "projected solid angle of a cone; Snyder 1996",
+                    margin_factor,
+                    references,
+                    RadianceAlong(floor.scene, floor.ray, make)};
+}
+template <class Tracer, class Bound>
+auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,
+                    double margin_factor, const Bound& bound) {
+  return floor_radiance(name, std::move(subjects), floor, margin_factor, bound, always(Tracer(1)));
+}
+
+/// Light that shadow rays and bounces share by the balance heuristic, from one large light by cone; or from two, of which a shadow
+/// ray looks for one. `Direct` says how.
+/// Bound: a shadow ray brings no more than alone, as the densities add up, and a bounce no more than rho Le.
+template <class Direct>
+using SharedTracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, NoRoulette>;
+
+template <class Direct = DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>>>
+auto shared_light() {
+  const auto bound = [](const SpheresOverPlane& s, int c) {
+    return s.sum_of_cone_terms(c) + s.albedo[c] * s.largest_radiance(c);
+  };
+  return floor_radiance<SharedTracer<Direct>>(
+      "sphere_over_plane.shared", {"DirectLight", "SphereByCone", "CosineHemisphere", "BalanceHeuristic"},
+      large_light(), 2, bound);
+}
+
+template <class Direct = DirectLight<UniformLightSampler, PointsBy<SphereByCone>, MisWeighted<>>>
+auto shared_lights() {
+  const auto bound = [](const SpheresOverPlane& s, int c) {
+    return 2 * s.sum_of_cone_terms(c) + s.albedo[c] * s.largest_radiance(c);
+  };
+  return floor_radiance<SharedTracer<Direct>>(
+      "two_lights.shared", {"DirectLight", "UniformLightSampler", "SphereByCone", "BalanceHeuristic"}, two_lights(), 4, bound);
+}
+
+}  // namespace fairlight

@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <stdexcept>
+
+#include <fairlight/render/parallel.h>
+#include <fairlight/validation/run/run_claims.h>
+#include <fairlight/validation/run/forecast.h>
+#include <fairlight/validation/run/registry.h>
+
+namespace fairlight {
+namespace {
+
+constexpr double first_turn = 0.002;  // seconds
+constexpr double soon = 0.2;          // what ends so soon need not be sorted
+constexpr double between_words = 0.05;
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+class Run {
+ public:
+  Run(const std::vector<const Claim*>& claims, const RunOptions& run_options, const Progress& progress)
+      : claims_(claims),
+        options_(run_options),
+        manifest_(manifest_of(run_options)),
+        progress_(progress),
+        forecast_(claims.size()),
+        ended_(claims.size(), 1) {
+    for (const Claim* claim : claims) outcomes_.push_back({claim, not_begun(claim), 0});
+  }
+
+  std::vector<Outcome> outcomes() {
+    std::vector<std::size_t> all(claims_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    take_turns(all, first_turn);
+    take_turns(second_turns(), unlimited);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!ended_[i]) continue;
+      outcomes_[i].out_of_time = true;
+      if (outcomes_[i].seconds > 0) outcomes_[i].finding.note = "the time was up before its verdict";
+    }
+    if (progress_) progress_(1);
+    return outcomes_;
+  }
+
+ private:
+  Finding not_begun(const Claim* claim) const {
+    const Trial trial = manifest_.trial(claim->name);
+    Finding finding{Verdict::undecided, Guarantee::deterministic, trial.margin};
+    finding.interval = {-unlimited, unlimited};
+    finding.note = "the time was up before its turn";
+    return with_token(trial, finding);
+  }
+
+  bool time_is_up() const { return clock_.seconds() > options_.seconds; }
+
+  void take_turns(const std::vector<std::size_t>& order, double most) {
+    for_each_unit(static_cast<int>(order.size()), options_.threads, [&](int unit) {
+      if (!time_is_up()) take_turn(order[static_cast<std::size_t>(unit)], most);
+    });
+  }
+
+  // Runs a claim from its start, and for so many seconds at most from its first draws: what it does before them, such as a law's
+  // quadrature, says nothing of what they will cost. As that is to be done once more in another turn, a turn is at least as long; and where
+  // there is time for all claims, it goes on to a verdict that is near.
+  void take_turn(std::size_t i, double most) {
+    const Clock clock;
+    Turn turn{outcomes_[i].seconds};
+    Outcome outcome{claims_[i], {}, 0};
+    Trial trial = manifest_.trial(claims_[i]->name);
+    trial.watch = [&](double done) { return goes_on(i, turn, clock.seconds(), done, most); };
+    if (options_.evidence) trial.evidence = &outcome.evidence;
+    outcome.finding = check(*claims_[i], trial);
+    outcome.seconds = clock.seconds();
+    ended_[i] = turn.ended && outcome.finding.verdict == Verdict::undecided;
+    foresee(i, turn.before + outcome.seconds, ended_[i] ? outcome.seconds + turn.left : 0);
+    outcomes_[i] = std::move(outcome);
+  }
+
+  // What a test refuses, it says of its numbers, not of the claim that gave them.
+  static Finding check(const Claim& claim, const Trial& trial) try {
+    return claim.check(trial);
+  } catch (const std::invalid_argument& refused) {
+    throw std::invalid_argument("\"" + claim.name + "\" cannot be tested on these terms (" + refused.what() + ")");
+  }
+
+  struct Turn {
+    double before;     // seconds that an earlier turn took
+    double first = 0;  // when it was first heard of
+    double first_done = 0;
+    double told = 0;  // when the forecast was last told of it
+    double left = 0;  // seconds that it is expected to take yet
+    bool ended = false;
+  };
+
+  bool goes_on(std::size_t i, Turn& turn, double now, double done, double most) {
+    if (turn.first == 0) {
+      turn.first = now;
+      turn.first_done = done;
+    }
+    turn.left =
+        done > turn.first_done ? (now - turn.first) * (1 - done) / (done - turn.first_done) : now / done - now;
+    const bool near = options_.seconds == unlimited && turn.left < soon;
+    turn.ended = turn.ended || (now - turn.first > std::max(most, turn.first) && !near) || time_is_up();
+    if (turn.ended || now - turn.told > between_words) {
+      turn.told = now;
+      foresee(i, turn.before + now, turn.left);
+    }
+    return !turn.ended;
+  }
+
+  void foresee(std::size_t i, double spent, double left) {
+    const std::lock_guard lock(mutex_);
+    forecast_.set(i, spent, left);
+    if (progress_)
+      progress_(std::clamp(std::max(forecast_.done(), clock_.seconds() / options_.seconds), 1e-9, 0.999));
+  }
+
+  std::vector<std::size_t> second_turns() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < claims_.size(); ++i) {
+      if (ended_[i]) order.push_back(i);
+    }
+    const auto unsuspected = [this](std::size_t i) {
+      const Interval& interval = outcomes_[i].finding.interval;
+      return interval.lo <= 0 && interval.hi >= 0;
+    };
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+      if (options_.seconds == unlimited) return forecast_.left(a) > forecast_.left(b);
+      if (unsuspected(a) != unsuspected(b)) return unsuspected(b);
+      return forecast_.left(a) < forecast_.left(b);
+    });
+    return order;
+  }
+
+  const std::vector<const Claim*>& claims_;
+  const RunOptions& options_;
+  const Manifest manifest_;
+  const Progress& progress_;
+  const Clock clock_;
+  std::mutex mutex_;
+  Forecast forecast_;
+  std::vector<Outcome> outcomes_;
+  std::vector<char> ended_;  // without a verdict: not yet begun, or told to end
+};
+
+}  // namespace
+
+Manifest manifest_of(const RunOptions& run_options) {
+  std::vector<Manifest::Row> rows;
+  const std::vector<std::string>& sets = run_options.instructions;
+  for (const Claim& c : registry(sets.front()))
+    rows.push_back({c.name, c.weight, c.margin_factor, c.finest_margin});
+  Manifest::Terms terms = run_options.terms;
+  terms.budget /= static_cast<double>(sets.size());
+  return Manifest(rows, terms);
+}
+
+std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const RunOptions& run_options,
+                                const Progress& progress) {
+  if (!(run_options.seconds > 0))
+    throw std::invalid_argument("the seconds of a run must be positive (it has to begin)");
+  return Run(claims, run_options, progress).outcomes();
+}
+
+bool failed(const Outcome& outcome) {
+  const Verdict verdict = outcome.finding.verdict;
+  return verdict == Verdict::biased || (verdict == Verdict::undecided && !outcome.out_of_time);
+}
+
+Verdict overall(const std::vector<Outcome>& outcomes) {
+  Verdict verdict = Verdict::certified;
+  for (const Outcome& outcome : outcomes) verdict = worse(verdict, outcome.finding.verdict);
+  return verdict;
+}
+
+}  // namespace fairlight
