@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include <fairlight/estimators/safe_divide.h>
 #include <fairlight/estimators/long_sum.h>
 #include <fairlight/estimators/pick_one.h>
+#include <fairlight/estimators/safe_divide.h>
 
 namespace fairlight {
 

@@ -20,7 +20,8 @@ template <class Real>
 void require_conductor(const Rgb<Real>& eta, const Rgb<Real>& k) {
   bool inside = true;
   for (int c = 0; c < 3; ++c) {
-    inside = inside && all_positive(eta[c]) && all_within(eta[c], 0, largest_index) && all_within(k[c], 0, largest_index);
+    inside = inside && all_positive(eta[c]) && all_within(eta[c], 0, largest_index) &&
+             all_within(k[c], 0, largest_index);
   }
   if (inside) return;
   throw std::invalid_argument(

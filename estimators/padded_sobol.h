@@ -49,8 +49,8 @@ class PaddedSobol {
     const std::array<W, 3> words = sets_.order_words(key_, at, b);
     const auto order = [&](std::size_t i) { return shuffled(point, sets_.bits(), words[i]); };
     const std::array<W, 3> orders{order(0), order(1), order(2)};
-    const SampleBlock<W> reversed{orders[0], second_sobol_reversed(orders[0]), orders[1], second_sobol_reversed(orders[1]),
-                           orders[2]};
+    const SampleBlock<W> reversed{orders[0], second_sobol_reversed(orders[0]), orders[1],
+                                  second_sobol_reversed(orders[1]), orders[2]};
     // The halves of a word are the lower halves of two factors, and only those are felt by digits that come soon after points part.
     const auto swapped = [](const W& word) { return W((word << 16) | (word >> 16)); };
     const SampleBlock<W> factors{words[0], swapped(words[0]), words[1], swapped(words[1]), words[2]};

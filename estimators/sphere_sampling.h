@@ -1,7 +1,7 @@
 #pragma once
 
-#include <fairlight/estimators/uniform_sphere_area.h>
 #include <fairlight/estimators/sphere_from_point.h>
+#include <fairlight/estimators/uniform_sphere_area.h>
 
 namespace fairlight {
 

@@ -34,7 +34,8 @@ std::array<Word<Real>, 4> vertex_words(const StreamKey& key, std::uint32_t i, co
 
 /// Five independent numbers of block b, in packets 24 digits of each. What a set shares is counted from 2^31 on.
 template <class Real>
-SampleBlock<Fixed64<Word<Real>>> independent_digits(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) {
+SampleBlock<Fixed64<Word<Real>>> independent_digits(const StreamKey& key, const PathVertex<Real>& at,
+                                                    std::uint32_t b) {
   using W = Word<Real>;
   const auto first = vertex_words(key, 4 * b, at.sample, at);
   if constexpr (lanes<Real> == 1) {

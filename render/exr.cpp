@@ -16,9 +16,9 @@
 #include <ImfStringAttribute.h>
 
 #include <fairlight/estimators/vertex_source.h>
+#include <fairlight/render/atomic_file.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/raster.h>
-#include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/version.h>
 

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fairlight/render/file_lock.h>
 #include <fairlight/render/atomic_file.h>
+#include <fairlight/render/file_lock.h>
 
 namespace fairlight {
 

@@ -4,9 +4,9 @@
 
 #include <png.h>
 
+#include <fairlight/render/atomic_file.h>
 #include <fairlight/render/picture.h>
 #include <fairlight/render/raster.h>
-#include <fairlight/render/atomic_file.h>
 
 namespace fairlight {
 namespace {

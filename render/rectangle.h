@@ -18,7 +18,8 @@ struct Rectangle {
   }
 
   /// The point of the rectangle ahead, along a unit direction; nowhere if the origin is on it.
-  RationalHit<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
+  RationalHit<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction,
+                             const Mask<Real>& leaving) const {
     using std::abs;
     const Real slope = plane.normal.dot(direction);
     const Vec3<Real> to_anchor = plane.anchor - origin;

@@ -50,7 +50,8 @@ struct Sphere {
 
   /// The first point of the sphere ahead, along a unit direction. `leaving` says that the origin is on this very sphere: its
   /// level is then zero exactly, so the sphere is not hit again where the ray starts, at any scale, and there is no epsilon.
-  RationalHit<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving) const {
+  RationalHit<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction,
+                             const Mask<Real>& leaving) const {
     using std::abs;
     using std::copysign;
     using std::max;
@@ -69,18 +70,19 @@ struct Sphere {
 
   /// Of an origin that is inside or on the sphere, which is no plane: where the ray leaves it, and twice the level of the origin [m].
   std::pair<RationalHit<Real>, Real> exit(const Vec3<Real>& origin, const Vec3<Real>& direction,
-                                       const Mask<Real>& leaving) const {
+                                          const Mask<Real>& leaving) const {
     using std::abs;
     using std::sqrt;
     const Line line = seen_from<false>(origin, direction, leaving);
     const Real sum = abs(line.slope) + sqrt(line.depth);
     const Mask<Real> inwards = line.slope < Real(0);
-    return {{select(inwards, sum, Real(-line.twice_implicit)), select(inwards, curvature, sum)}, line.twice_implicit};
+    return {{select(inwards, sum, Real(-line.twice_implicit)), select(inwards, curvature, sum)},
+            line.twice_implicit};
   }
 
   /// Of an origin that is outside or on the sphere: where the ray enters it, and twice the level of the origin [m].
   std::pair<RationalHit<Real>, Real> entry(const Vec3<Real>& origin, const Vec3<Real>& direction,
-                                        const Mask<Real>& leaving) const {
+                                           const Mask<Real>& leaving) const {
     using std::sqrt;
     const Line line = seen_from(origin, direction, leaving);
     return {{line.twice_implicit, sqrt(line.depth) - line.slope}, line.twice_implicit};

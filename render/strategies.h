@@ -250,7 +250,7 @@ class ChosenNumbers {
   /// Called, not inlined, so that independent numbers are as fast as if there were no others.
   template <class Real>
   [[gnu::noinline, gnu::flatten]] SampleBlock<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b,
-                                                          BlockPart part) const {
+                                                                 BlockPart part) const {
     return random_ == Strategies::Random::sobol ? sobol_.block(at, b, part) : strata_.block(at, b, part);
   }
 

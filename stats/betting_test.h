@@ -49,10 +49,10 @@ struct NoMoreDraws : std::length_error {
 
 /// The logarithms of what four processes have made of 1.
 struct Wealth {
-  double above_reference;    ///< U0, which bets that the mean is above the reference
-  double below_reference;      ///< D0, that it is below
-  double not_brighter;  ///< D1, that it is below the reference and its margin
-  double not_darker;    ///< U1, that it is above the reference less its margin
+  double above_reference;  ///< U0, which bets that the mean is above the reference
+  double below_reference;  ///< D0, that it is below
+  double not_brighter;     ///< D1, that it is below the reference and its margin
+  double not_darker;       ///< U1, that it is above the reference less its margin
 };
 
 /// Sequential test of a mean by betting, with an accept side.

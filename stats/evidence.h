@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include <fairlight/stats/evidence_sum.h>
 #include <fairlight/stats/betting_test.h>
+#include <fairlight/stats/evidence_sum.h>
 #include <fairlight/stats/mean_test.h>
 
 namespace fairlight {

@@ -86,7 +86,7 @@ void leave_ladder(const Trial& trial, const MarginGrid& margin_grid) {
 }
 
 MarginGrid ladder_of(const Trial& trial, const std::vector<BettingTest>& tests,
-                 const std::vector<Reference>& references) {
+                     const std::vector<Reference>& references) {
   MarginGrid margin_grid{first_level(trial.margin), {}};
   for (std::size_t c = 0; c < tests.size(); ++c) {
     margin_grid.channels.push_back(wealth_at_rungs(tests[c], trial.margin, references[c].scale));

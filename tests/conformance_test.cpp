@@ -5,8 +5,8 @@
 
 #include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/report/report.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {

@@ -4,8 +4,8 @@
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/render/built_in_scenes.h>
 #include <fairlight/stats/verdict.h>
-#include <fairlight/validation/run/run_claims.h>
 #include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/run/run_claims.h>
 
 int main() {
   using namespace fairlight;

@@ -47,7 +47,8 @@ TEST(Sharing, KnowsHowALightIsChosen) {
   const auto weight = [&](const auto& direct) { return direct.emission_weight(scene, ray, 1.0, 1 / M_PI); };
   const double expected = 1 / M_PI / (by_light + 1 / M_PI);
   EXPECT_NEAR(weight(DirectLight<UniformLightSampler, PointsBy<SphereByCone>, MisWeighted<>>()), expected, 1e-12);
-  EXPECT_NEAR(weight(DirectLight<ContributionLightSampler, PointsBy<SphereByCone>, MisWeighted<>>()), expected, 1e-12);
+  EXPECT_NEAR(weight(DirectLight<ContributionLightSampler, PointsBy<SphereByCone>, MisWeighted<>>()), expected,
+              1e-12);
   using ByPower = DirectLight<LightSampler<PowerChoice<double>>, PointsBy<SphereByCone>, MisWeighted<>>;
   EXPECT_NEAR(weight(ByPower(one_by_power(floor))), expected, 1e-12);
 }

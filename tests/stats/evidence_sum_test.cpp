@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/stats/evidence_sum.h>
 #include <fairlight/stats/evidence.h>
+#include <fairlight/stats/evidence_sum.h>
 #include <fairlight/stats/mean_test.h>
 
 namespace fairlight {
@@ -15,7 +15,9 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 const Wealth nothing{0, 0, 0, 0};
 
 // One channel, of which the first rungs have this much.
-EvidenceSum run(int first, std::vector<Wealth> margin_grid) { return EvidenceSum(MarginGrid{first, {std::move(margin_grid)}}); }
+EvidenceSum run(int first, std::vector<Wealth> margin_grid) {
+  return EvidenceSum(MarginGrid{first, {std::move(margin_grid)}});
+}
 Wealth shows(double log_wealth) { return {0, 0, log_wealth, log_wealth}; }
 
 TEST(Rungs, HalveInTwoStepsAndBeginAtTheRunsMargin) {
@@ -104,7 +106,7 @@ TEST(EvidenceSum, AddsUpRunsOfUnlikeMargins) {
 
 TEST(EvidenceSum, DoesNotMindHowItsRunsAreGrouped) {
   const std::vector<EvidenceSum> runs{run(4, {{1, 2, 3, -1}, {1, 0, 2, 2}}), run(2, {{-1, 0.5, 1, 4}}),
-                                  run(3, {{0.125, 0, -2, 3}, {1, 1, 1, 1}, {2, 2, 2, 2}})};
+                                      run(3, {{0.125, 0, -2, 3}, {1, 1, 1, 1}, {2, 2, 2, 2}})};
   EvidenceSum left = runs[0];
   left.append(runs[1]);
   left.append(runs[2]);

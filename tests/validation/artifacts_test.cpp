@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <support/temporary_folder.h>
 
-#include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/report/artifacts.h>
 #include <fairlight/validation/report/markdown.h>
+#include <fairlight/validation/run/registry.h>
 
 namespace fairlight {
 namespace {

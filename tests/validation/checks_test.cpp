@@ -134,7 +134,8 @@ TEST(CheckReplicates, CertifiesTheMeanAndOnlyTheMean) {
       const double u = source.next();
       return Eigen::Array2d(u, 2 * u + 1);
     });
-    return check_replicates<LatinHypercube<double>>(trial, {{0.5, 0, 1}, {mean, 1, 3}}, body, points_a_replicate).verdict;
+    return check_replicates<LatinHypercube<double>>(trial, {{0.5, 0, 1}, {mean, 1, 3}}, body, points_a_replicate)
+        .verdict;
   };
   EXPECT_EQ(check(2), Verdict::certified);
   EXPECT_EQ(check(2.2), Verdict::biased);

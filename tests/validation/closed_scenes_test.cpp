@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/claims/rendered_radiance.h>
 #include <fairlight/validation/claims/pairwise_cover.h>
+#include <fairlight/validation/claims/rendered_radiance.h>
 
 namespace fairlight {
 namespace {

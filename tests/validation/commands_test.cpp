@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/app/options.h>
 #include <fairlight/validation/app/commands.h>
+#include <fairlight/validation/app/options.h>
 
 namespace fairlight {
 namespace {

@@ -21,8 +21,11 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // A run of one channel whose first rung, the margin 1/2, shows this much on both sides.
 LedgerEntry run(const std::string& claim, std::uint64_t seed, double shown, std::uint64_t content = 7) {
-  return {
-      claim, content, {seed}, 1000, EvidenceSum(MarginGrid{2, {{{-1, -0.5, shown, shown}, {-1, 0.25, 0.5, unlimited}}}})};
+  return {claim,
+          content,
+          {seed},
+          1000,
+          EvidenceSum(MarginGrid{2, {{{-1, -0.5, shown, shown}, {-1, 0.25, 0.5, unlimited}}}})};
 }
 
 double certified(const Ledger& ledger, const std::string& claim, std::uint64_t content = 7) {
@@ -61,7 +64,8 @@ TEST(LedgerText, RoundsDown) {
   LedgerEntry entry = run("a", 1, 0);
   entry.evidence_sum = EvidenceSum(MarginGrid{0, {{{1.0009, -1.0001, 1e-5, -1e-5}}}});
   const std::string line = line_of(entry);
-  const Wealth total = entry_of(std::string_view(line).substr(0, line.size() - 1))->evidence_sum.channels()[0][0].total;
+  const Wealth total =
+      entry_of(std::string_view(line).substr(0, line.size() - 1))->evidence_sum.channels()[0][0].total;
   EXPECT_EQ(total.above_reference, 1);
   EXPECT_EQ(total.below_reference, -1 - 0x1p-10);
   EXPECT_EQ(total.not_brighter, 0);

@@ -127,7 +127,9 @@ TEST(PacketControlVariate, DoesNotPayWherePacketsDrawManyMoreNumbers) {
       for (int i = 0; i < (lanes < Real >> 1 ? more : 0); ++i) source.next();
       return ramp_of_the_first;
     };
-    return PacketControlVariate({"packet_control_variate_test", 1, 1e-6, 0.01, 1e-3}, two, paired(draw)).pays().has_value();
+    return PacketControlVariate({"packet_control_variate_test", 1, 1e-6, 0.01, 1e-3}, two, paired(draw))
+        .pays()
+        .has_value();
   };
   EXPECT_TRUE(pays(0));
   EXPECT_FALSE(pays(40));

@@ -40,7 +40,8 @@ Draws ramps(float count, double bias = 0) {
 }
 
 // What pilots choose with most of 33 seeds. A pilot of 64 draws knows a variance to a fifth, so one alone may err.
-std::uint32_t points_mostly(double margin, const std::vector<Reference>& references, const Draws& draws, double many) {
+std::uint32_t points_mostly(double margin, const std::vector<Reference>& references, const Draws& draws,
+                            double many) {
   std::map<std::uint32_t, int> chosen;
   for (std::uint64_t i = 0; i < 33; ++i) {
     Trial trial = at_margin(margin);

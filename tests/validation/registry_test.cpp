@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/run/run_claims.h>
 #include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fairlight/validation/run/replay_token.h>
-#include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/report/report.h>
+#include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/run/replay_token.h>
 
 namespace fairlight {
 namespace {

@@ -3,13 +3,13 @@
 #include <memory>
 #include <set>
 
-#include <fairlight/validation/app/options.h>
-#include <fairlight/render/parallel.h>
-#include <fairlight/validation/app/progress.h>
 #include <fairlight/render/atomic_file.h>
+#include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
-#include <fairlight/validation/audit/fault_audit.h>
 #include <fairlight/validation/app/commands.h>
+#include <fairlight/validation/app/options.h>
+#include <fairlight/validation/app/progress.h>
+#include <fairlight/validation/audit/fault_audit.h>
 #include <fairlight/validation/report/report.h>
 
 namespace fairlight {

@@ -1,8 +1,8 @@
 #include <vector>
 
 #include <fairlight/render/nearest_names.h>
-#include <fairlight/validation/app/options.h>
 #include <fairlight/validation/app/commands.h>
+#include <fairlight/validation/app/options.h>
 
 namespace fairlight {
 namespace {

@@ -1,14 +1,14 @@
 #include <cstdio>
 #include <memory>
 
-#include <fairlight/validation/app/options.h>
-#include <fairlight/render/parallel.h>
-#include <fairlight/validation/app/progress.h>
 #include <fairlight/render/atomic_file.h>
+#include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/stats/text.h>
-#include <fairlight/validation/audit/judges_audit.h>
 #include <fairlight/validation/app/commands.h>
+#include <fairlight/validation/app/options.h>
+#include <fairlight/validation/app/progress.h>
+#include <fairlight/validation/audit/judges_audit.h>
 #include <fairlight/validation/report/report.h>
 
 namespace fairlight {

@@ -4,14 +4,14 @@
 #include <memory>
 #include <stdexcept>
 
-#include <fairlight/validation/app/options.h>
 #include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/app/commands.h>
-#include <fairlight/validation/run/run_claims.h>
+#include <fairlight/validation/app/options.h>
 #include <fairlight/validation/run/ledger.h>
 #include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 namespace {

@@ -11,16 +11,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fairlight/render/nearest_names.h>
-#include <fairlight/validation/app/options.h>
-#include <fairlight/render/parallel.h>
-#include <fairlight/validation/app/progress.h>
 #include <fairlight/render/atomic_file.h>
+#include <fairlight/render/nearest_names.h>
+#include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/stats/text.h>
+#include <fairlight/validation/app/commands.h>
+#include <fairlight/validation/app/options.h>
+#include <fairlight/validation/app/progress.h>
 #include <fairlight/validation/audit/known_equivalents.h>
 #include <fairlight/validation/audit/mutation_run.h>
-#include <fairlight/validation/app/commands.h>
 
 namespace fairlight {
 namespace {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <sstream>
 
-#include <fairlight/validation/app/options.h>
 #include <fairlight/stats/text.h>
+#include <fairlight/validation/app/options.h>
 
 namespace fairlight {
 namespace {

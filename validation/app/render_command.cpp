@@ -5,18 +5,18 @@
 
 #include <sys/resource.h>
 
+#include <fairlight/render/atomic_file.h>
 #include <fairlight/render/contact_sheet.h>
 #include <fairlight/render/file_lock.h>
 #include <fairlight/render/instruction_sets.h>
-#include <fairlight/validation/app/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/picture.h>
+#include <fairlight/render/render_image.h>
+#include <fairlight/stats/seed.h>
+#include <fairlight/validation/app/options.h>
 #include <fairlight/validation/app/progress.h>
 #include <fairlight/validation/app/render_command.h>
-#include <fairlight/render/render_image.h>
 #include <fairlight/validation/app/render_options.h>
-#include <fairlight/render/atomic_file.h>
-#include <fairlight/stats/seed.h>
 
 namespace fairlight {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include <fairlight/validation/app/options.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/settings.h>
+#include <fairlight/validation/app/options.h>
 
 namespace fairlight {
 

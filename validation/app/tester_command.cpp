@@ -5,14 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fairlight/validation/app/options.h>
-#include <fairlight/render/parallel.h>
-#include <fairlight/validation/app/progress.h>
 #include <fairlight/render/atomic_file.h>
+#include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
+#include <fairlight/validation/app/commands.h>
+#include <fairlight/validation/app/options.h>
+#include <fairlight/validation/app/progress.h>
 #include <fairlight/validation/audit/ledger_audit.h>
 #include <fairlight/validation/audit/tester_audit.h>
-#include <fairlight/validation/app/commands.h>
 
 namespace fairlight {
 namespace {

@@ -6,20 +6,20 @@
 #include <numeric>
 #include <optional>
 
-#include <fairlight/validation/app/options.h>
-#include <fairlight/render/parallel.h>
-#include <fairlight/validation/app/progress.h>
 #include <fairlight/render/atomic_file.h>
+#include <fairlight/render/parallel.h>
 #include <fairlight/stats/seed.h>
 #include <fairlight/validation/app/commands.h>
-#include <fairlight/validation/run/run_claims.h>
-#include <fairlight/validation/run/ledger_run.h>
-#include <fairlight/validation/run/replay_token.h>
-#include <fairlight/validation/run/since.h>
-#include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/app/options.h>
+#include <fairlight/validation/app/progress.h>
 #include <fairlight/validation/report/artifacts.h>
 #include <fairlight/validation/report/markdown.h>
 #include <fairlight/validation/report/report.h>
+#include <fairlight/validation/run/ledger_run.h>
+#include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/run/replay_token.h>
+#include <fairlight/validation/run/run_claims.h>
+#include <fairlight/validation/run/since.h>
 
 namespace fairlight {
 namespace {

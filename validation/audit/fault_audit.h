@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/run/run_claims.h>
 #include <fairlight/validation/faults/catalogue.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 

@@ -10,8 +10,8 @@
 #include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/audit/mutation_run.h>
-#include <fairlight/validation/run/subprocess.h>
 #include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/run/subprocess.h>
 
 namespace fairlight {
 namespace {

@@ -10,9 +10,9 @@
 #include <fairlight/stats/rosenblatt.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/sequential_t_test.h>
-#include <fairlight/validation/checks/means.h>
 #include <fairlight/validation/audit/ledger_audit.h>
 #include <fairlight/validation/audit/test_kinds.h>
+#include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 namespace {
@@ -250,9 +250,9 @@ TestKind evidence_sum() {
 std::vector<TestKind> build() {
   std::vector<TestKind> kinds;
   for (const CostLaw& law : cost_laws()) kinds.push_back(betting(law));
-  for (const auto& make :
-       {one_sided, not_below, channels, difference, packets, packets_over_points, student, welch, counts, two_cells,
-        density, kolmogorov, moments_of_the_law, variance, variance_at_most, correlation, replicates, evidence_sum}) {
+  for (const auto& make : {one_sided, not_below, channels, difference, packets, packets_over_points, student, welch,
+                           counts, two_cells, density, kolmogorov, moments_of_the_law, variance, variance_at_most,
+                           correlation, replicates, evidence_sum}) {
     kinds.push_back(make());
   }
   return kinds;

@@ -21,7 +21,8 @@ std::array<double, lanes<Real>> in_double(const Real& x) {
 
 // Of a packet's draws it is the same one in all lanes.
 template <class Real>
-void require_in_range(std::uint64_t draw, const std::vector<Real>& channels, const std::vector<Reference>& references) {
+void require_in_range(std::uint64_t draw, const std::vector<Real>& channels,
+                      const std::vector<Reference>& references) {
   for (std::size_t c = 0; c < references.size(); ++c) {
     const double lower = references[c].lower;
     const double upper = references[c].tail_slack > 0 ? infinity<double> : references[c].upper;
@@ -41,7 +42,8 @@ void require_in_range(std::uint64_t draw, double value, const Reference& referen
 }
 
 template <class Real>
-DrawBlock independent_draws(std::shared_ptr<const Body<Real>> body, const StreamKey& key, std::size_t channel_count) {
+DrawBlock independent_draws(std::shared_ptr<const Body<Real>> body, const StreamKey& key,
+                            std::size_t channel_count) {
   const auto make = [body, numbers = std::make_shared<IndependentSamples<Real>>(key),
                      channels = std::vector<Real>(channel_count)](std::uint64_t first,
                                                                   std::span<double* const> places) mutable {
@@ -105,8 +107,9 @@ class FollowedLanes {
 };
 
 template <class Packets>
-DrawBlock difference_draws(std::shared_ptr<const Body<double>> doubles, std::shared_ptr<const Body<Packets>> packets,
-                           const StreamKey& key, const std::vector<Reference>& references) {
+DrawBlock difference_draws(std::shared_ptr<const Body<double>> doubles,
+                           std::shared_ptr<const Body<Packets>> packets, const StreamKey& key,
+                           const std::vector<Reference>& references) {
   const auto make = [=](std::uint64_t first, std::span<double* const> places) {
     FollowedLanes<Packets> lane_by_lane(key, first, *packets, references.size());
     std::vector<double> channels(references.size());
@@ -124,8 +127,8 @@ DrawBlock difference_draws(std::shared_ptr<const Body<double>> doubles, std::sha
 }
 
 template <class Packets>
-double numbers_of_packets_over_lanes(const Body<double>& doubles, const Body<Packets>& packets, const StreamKey& key,
-                                     std::size_t channel_count) {
+double numbers_of_packets_over_lanes(const Body<double>& doubles, const Body<Packets>& packets,
+                                     const StreamKey& key, std::size_t channel_count) {
   std::size_t by_packets = 0, by_lanes = 0;
   std::vector<double> channels(channel_count);
   for (std::uint64_t first = 0; first < 32 * lanes<Packets>; first += lanes<Packets>) {
@@ -163,19 +166,19 @@ Draws draws_of(std::shared_ptr<const Body<Real>> body, std::size_t channels) {
 }
 
 template <class Packets>
-PairedDraws paired_draws(std::shared_ptr<const Body<double>> in_double, std::shared_ptr<const Body<Packets>> in_packets,
-                         std::size_t channels) {
-  return {draws_of(in_double, channels), draws_of(in_packets, channels),
-          [=](const StreamKey& key, const std::vector<Reference>& references) {
-            return difference_draws(in_double, in_packets, key, references);
-          },
-          [=](const StreamKey& key) {
-            return numbers_of_packets_over_lanes(*in_double, *in_packets, key, channels);
-          }};
+PairedDraws paired_draws(std::shared_ptr<const Body<double>> in_double,
+                         std::shared_ptr<const Body<Packets>> in_packets, std::size_t channels) {
+  return {
+      draws_of(in_double, channels), draws_of(in_packets, channels),
+      [=](const StreamKey& key, const std::vector<Reference>& references) {
+        return difference_draws(in_double, in_packets, key, references);
+      },
+      [=](const StreamKey& key) { return numbers_of_packets_over_lanes(*in_double, *in_packets, key, channels); }};
 }
 
 template Draws draws_of(std::shared_ptr<const Body<Packet>>, std::size_t);
-template PairedDraws paired_draws(std::shared_ptr<const Body<double>>, std::shared_ptr<const Body<Packet>>, std::size_t);
+template PairedDraws paired_draws(std::shared_ptr<const Body<double>>, std::shared_ptr<const Body<Packet>>,
+                                  std::size_t);
 template DrawBlock replicate_draws(std::shared_ptr<PointNumbers<Packet>>, std::shared_ptr<const Body<Packet>>,
                                    const StreamKey&, const std::vector<Reference>&, std::uint32_t);
 #if !defined(FAIRLIGHT_ENTRY)  // doubles have one set of instructions

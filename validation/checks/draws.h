@@ -114,7 +114,8 @@ struct Draws {
   /// From independent numbers.
   std::function<DrawBlock(const StreamKey& key)> independent;
   /// The means of replicates of n Sobol' points. Throws BadDraw for a point that its reference rules out.
-  std::function<DrawBlock(const StreamKey& key, const std::vector<Reference>& references, std::uint32_t n)> replicates;
+  std::function<DrawBlock(const StreamKey& key, const std::vector<Reference>& references, std::uint32_t n)>
+      replicates;
 };
 
 /// The same estimator in double and in packets.
@@ -133,8 +134,8 @@ template <class Real>
 Draws draws_of(std::shared_ptr<const Body<Real>> body, std::size_t channels);
 
 template <class Packets>
-PairedDraws paired_draws(std::shared_ptr<const Body<double>> in_double, std::shared_ptr<const Body<Packets>> in_packets,
-                         std::size_t channels);
+PairedDraws paired_draws(std::shared_ptr<const Body<double>> in_double,
+                         std::shared_ptr<const Body<Packets>> in_packets, std::size_t channels);
 
 /// The means of replicates of n points as draws, from a set's numbers. A replicate must fill whole packets (else
 /// std::invalid_argument). Throws BadDraw for a point that its reference rules out, which the mean may hide.
@@ -146,9 +147,11 @@ extern template Draws draws_of(std::shared_ptr<const Body<double>>, std::size_t)
 extern template Draws draws_of(std::shared_ptr<const Body<Packet>>, std::size_t);
 extern template PairedDraws paired_draws(std::shared_ptr<const Body<double>>, std::shared_ptr<const Body<Packet>>,
                                          std::size_t);
-extern template DrawBlock replicate_draws(std::shared_ptr<PointNumbers<double>>, std::shared_ptr<const Body<double>>,
-                                          const StreamKey&, const std::vector<Reference>&, std::uint32_t);
-extern template DrawBlock replicate_draws(std::shared_ptr<PointNumbers<Packet>>, std::shared_ptr<const Body<Packet>>,
-                                          const StreamKey&, const std::vector<Reference>&, std::uint32_t);
+extern template DrawBlock replicate_draws(std::shared_ptr<PointNumbers<double>>,
+                                          std::shared_ptr<const Body<double>>, const StreamKey&,
+                                          const std::vector<Reference>&, std::uint32_t);
+extern template DrawBlock replicate_draws(std::shared_ptr<PointNumbers<Packet>>,
+                                          std::shared_ptr<const Body<Packet>>, const StreamKey&,
+                                          const std::vector<Reference>&, std::uint32_t);
 
 }  // namespace fairlight

@@ -7,9 +7,9 @@
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
+#include <fairlight/validation/checks/claim.h>
 #include <fairlight/validation/checks/constants.h>
 #include <fairlight/validation/checks/means.h>
-#include <fairlight/validation/checks/claim.h>
 
 namespace fairlight {
 

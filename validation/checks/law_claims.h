@@ -127,7 +127,8 @@ Claim law_replicates_claim(const LawEstimand<Make, Domain>& e, const PointSetKin
                 const auto draw = [law, domain = e.domain](std::type_identity<Packet>, auto& source) {
                   return coordinates_and_product(domain, law.sample(next_pair<Packet>(source)));
                 };
-                return check_replicates<Set<Packet>>(trial, references, body_of<Packet>(draw), points_for(references));
+                return check_replicates<Set<Packet>>(trial, references, body_of<Packet>(draw),
+                                                     points_for(references));
               },
           .real = real_name<Packet>()};
 }
@@ -148,15 +149,15 @@ void add_law(std::vector<Claim>& claims, const LawEstimand<Make, Domain>& e) {
 template <template <class> class Points>
 auto sphere_area_law() {
   return LawEstimand{"sphere_light.area", "UniformSphereArea", "Archimedes",
-                       []<class Real>(std::type_identity<Real>) { return Points<Real>(Real(2.5)); },
-                       SphereDomain{2.5}};
+                     []<class Real>(std::type_identity<Real>) { return Points<Real>(Real(2.5)); },
+                     SphereDomain{2.5}};
 }
 
 /// Cosine-weighted directions.
 template <template <class> class Directions>
 auto cosine_law() {
   return LawEstimand{"hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3",
-                       []<class Real>(std::type_identity<Real>) { return Directions<Real>{}; }, HemisphereDomain{}};
+                     []<class Real>(std::type_identity<Real>) { return Directions<Real>{}; }, HemisphereDomain{}};
 }
 
 /// Pairs of numbers as they come: uniform on the unit square.

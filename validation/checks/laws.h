@@ -67,8 +67,7 @@ Finding check_law_moments_of(const Trial& trial, const Drawn& drawn, const Law& 
 template <Sampler Drawn, Sampler Law, class Domain>
 Finding check_law_moments(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain) {
   const StreamKey key(trial.seed, trial.claim);
-  return detail::check_law_moments_of(trial, drawn, law, domain, independent_pairs<typename Drawn::Scalar>(key),
-                                      1);
+  return detail::check_law_moments_of(trial, drawn, law, domain, independent_pairs<typename Drawn::Scalar>(key), 1);
 }
 
 /// The same over Sobol' points. A draw's law does not depend on how its numbers are spread, and over a replicate of points its
@@ -78,8 +77,7 @@ Finding check_law_moments_over_points(const Trial& trial, const Drawn& drawn, co
                                       const Domain& domain) {
   const StreamKey key(trial.seed, trial.claim);
   constexpr std::uint32_t n = points_a_replicate;
-  return detail::check_law_moments_of(trial, drawn, law, domain, point_pairs<typename Drawn::Scalar>(key, n),
-                                      n);
+  return detail::check_law_moments_of(trial, drawn, law, domain, point_pairs<typename Drawn::Scalar>(key, n), n);
 }
 
 /// Two arithmetics give the draws of the first the same density: the ratio has the mean 1, and is nowhere above 2.

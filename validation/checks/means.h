@@ -22,8 +22,8 @@ std::uint32_t points_for(const std::vector<Reference>& references);
 Finding check_mean(const Trial& trial, const std::vector<Reference>& references, const Draws& draws);
 
 template <class Real = double, class Draw>
-Finding check_mean(const Trial& trial, const std::vector<Reference>& references, const Draw& draw) requires
-    (!std::is_same_v<Draw, Draws>) {
+Finding check_mean(const Trial& trial, const std::vector<Reference>& references,
+                   const Draw& draw) requires(!std::is_same_v<Draw, Draws>) {
   const auto body = body_of<Real>([draw](std::type_identity<Real>, auto& source) { return draw(source); });
   return check_mean(trial, references, draws_of<Real>(body, references.size()));
 }
@@ -152,7 +152,8 @@ class PacketControlVariate {
 
 /// The mean of an estimator in double: with a packet control variate where that is faster, unless somebody listens, who is to
 /// hear draws in double.
-Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references, const PairedDraws& draws);
+Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references,
+                             const PairedDraws& draws);
 
 namespace detail {
 

@@ -18,7 +18,8 @@ double share_of_difference(double share_of_packets) { return 0.999 - share_of_pa
 
 // Of the difference of a draw in double from one in packets, where both have these references, and the packets' mean
 // this share: the trial's margin is a share of what it was, and a bias so much more.
-std::vector<Reference> of_difference(const std::vector<Reference>& references, double rounding, double share_of_packets) {
+std::vector<Reference> of_difference(const std::vector<Reference>& references, double rounding,
+                                     double share_of_packets) {
   const std::vector<Reference> packets = rounded_references(references, rounding);
   const double share = share_of_difference(share_of_packets);
   std::vector<Reference> differences;
@@ -93,7 +94,8 @@ bool PacketControlVariate::fits(double share) const {
   for (std::size_t c = 0; c < references_.size(); ++c) {
     const Reference& r = references_[c];
     const double rounding = std::max(packets[c].rounding, differences[c].rounding);
-    if (r.sides != Sides::both || r.tail_slack > most_in_tail * trial_.margin * r.scale || rounding > trial_.margin / 4)
+    if (r.sides != Sides::both || r.tail_slack > most_in_tail * trial_.margin * r.scale ||
+        rounding > trial_.margin / 4)
       return false;
   }
   return true;
@@ -144,8 +146,8 @@ Finding PacketControlVariate::finding(const Plan& plan) const {
   }
   Finding whole = worst_of(sums);
   if (!go_on)
-    whole.note = note_on(plan.scheme.is_independent() ? "tested in packets" : "tested in packets over Sobol' points",
-                         whole.note);
+    whole.note = note_on(
+        plan.scheme.is_independent() ? "tested in packets" : "tested in packets over Sobol' points", whole.note);
   return whole;
 }
 

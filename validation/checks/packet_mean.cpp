@@ -35,7 +35,8 @@ PacketMean::PacketMean(const Trial& trial, const std::vector<Reference>& referen
     : trial_(trial), references_(rounded_references(references, draws.rounding)), draws_(draws) {}
 
 std::vector<Reference> PacketMean::references(const SamplingScheme& scheme, double share) const {
-  return with_share(scheme.is_independent() ? references_ : replicate_references(references_, scheme.points), share);
+  return with_share(scheme.is_independent() ? references_ : replicate_references(references_, scheme.points),
+                    share);
 }
 
 // What a tail may hide of draws it may hide of their means, at most (Jensen).
@@ -97,7 +98,8 @@ Finding check_mean_in_packets(const Trial& trial, const std::vector<Reference>& 
   return finding;
 }
 
-Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references, const PairedDraws& draws) {
+Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references,
+                             const PairedDraws& draws) {
   if (!is_heard(trial)) {
     const PacketControlVariate variate(trial, references, draws);
     if (const auto plan = variate.pays()) return variate.finding(*plan);

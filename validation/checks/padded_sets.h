@@ -41,8 +41,12 @@ using PaddedSobolSet = PaddedSet<Real, PaddedSobol>;
 template <class Real>
 using PaddedStrataSet = PaddedSet<Real, PaddedStrata>;
 
-inline PointSetKind<PaddedSobolSet> padded_sobol_points() { return {"padded_sobol", "PaddedSobol", "VertexSource"}; }
-inline PointSetKind<PaddedStrataSet> padded_strata_points() { return {"padded_strata", "PaddedStrata", "VertexSource"}; }
+inline PointSetKind<PaddedSobolSet> padded_sobol_points() {
+  return {"padded_sobol", "PaddedSobol", "VertexSource"};
+}
+inline PointSetKind<PaddedStrataSet> padded_strata_points() {
+  return {"padded_strata", "PaddedStrata", "VertexSource"};
+}
 
 /// The numbers of a path, a sample in each lane: `at(v)` is the source of its vertex v.
 template <class Real, class Numbers>

@@ -33,7 +33,8 @@ class PairsAtOnce {
     std::array<std::array<std::uint32_t, n>, 4> words;
     for (std::size_t k = 0; k < words.size(); ++k) block[k].store_unaligned(words[k].data());
     for (std::size_t i = 0; i < n; ++i) {
-      pairs_[i] = {unit_number_of_halves(words[2][i], words[3][i]), unit_number_of_halves(words[0][i], words[1][i])};
+      pairs_[i] = {unit_number_of_halves(words[2][i], words[3][i]),
+                   unit_number_of_halves(words[0][i], words[1][i])};
     }
     made_ = number;
   }

@@ -1,7 +1,7 @@
 #include <fairlight/estimators/allocation_naive.h>
 #include <fairlight/estimators/allocation_unbiased.h>
-#include <fairlight/validation/claims/spiky_pixels.h>
 #include <fairlight/validation/claims/claims.h>
+#include <fairlight/validation/claims/spiky_pixels.h>
 
 namespace fairlight {
 namespace {

@@ -85,13 +85,13 @@ auto pixel_crossings(const std::string& name, std::vector<std::string> subjects,
     return Rgb<Real>(place.x(), place.y(), Real(1) - off.squaredNorm() / rounded<Real>(largest));
   };
   return Estimand{name,
-                    std::move(subjects),
-                    "the rays of a pixel cross a plane about its middle, in the mean, and as far from it as the "
-                    "filter and the circle of confusion say",
-                    "elementary; similar triangles",
-                    1,
-                    {within(askew.across()), within(askew.below()), {1 - spread / largest, -1e-9, 1}},
-                    draw};
+                  std::move(subjects),
+                  "the rays of a pixel cross a plane about its middle, in the mean, and as far from it as the "
+                  "filter and the circle of confusion say",
+                  "elementary; similar triangles",
+                  1,
+                  {within(askew.across()), within(askew.below()), {1 - spread / largest, -1e-9, 1}},
+                  draw};
 }
 
 /// A pinhole's.

@@ -1,11 +1,11 @@
 #include <fairlight/estimators/blackman_harris_filter.h>
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/gaussian_filter.h>
+#include <fairlight/validation/checks/law_claims.h>
 #include <fairlight/validation/claims/camera.h>
+#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/filters.h>
 #include <fairlight/validation/claims/lens.h>
-#include <fairlight/validation/claims/claims.h>
-#include <fairlight/validation/checks/law_claims.h>
 
 namespace fairlight {
 
@@ -14,16 +14,16 @@ namespace {
 void add_filters(std::vector<Claim>& claims) {
   const std::string source = "Ernst, Stamminger, Greiner 2006";
   add_law(claims, LawEstimand{"filter.box", "BoxFilter", source,
-                                []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.75)); },
-                                SquareDomain{-0.75, 0.75}});
+                              []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.75)); },
+                              SquareDomain{-0.75, 0.75}});
   add_law(claims, LawEstimand{"filter.tent", "TentFilter", source,
-                                []<class Real>(std::type_identity<Real>) { return TentFilter<Real>{}; },
-                                SquareDomain{-1, 1}});
+                              []<class Real>(std::type_identity<Real>) { return TentFilter<Real>{}; },
+                              SquareDomain{-1, 1}});
   add_law(claims, gaussian_law<GaussianFilter>());
   add_law(claims,
           LawEstimand{"filter.blackman_harris", "BlackmanHarrisFilter", "Harris 1978",
-                        []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); },
-                        SquareDomain{-1.5, 1.5}, 10});
+                      []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); },
+                      SquareDomain{-1.5, 1.5}, 10});
 }
 
 void add_apertures(std::vector<Claim>& claims) {

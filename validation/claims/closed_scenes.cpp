@@ -1,6 +1,6 @@
-#include <fairlight/validation/claims/rendered_radiance.h>
 #include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/pairwise_cover.h>
+#include <fairlight/validation/claims/rendered_radiance.h>
 
 namespace fairlight {
 namespace {

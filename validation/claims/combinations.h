@@ -4,8 +4,8 @@
 #include <fairlight/estimators/mis.h>
 #include <fairlight/estimators/splitting.h>
 #include <fairlight/estimators/stratification.h>
-#include <fairlight/validation/claims/integrals.h>
 #include <fairlight/validation/checks/law_claims.h>
+#include <fairlight/validation/claims/integrals.h>
 
 namespace fairlight {
 
@@ -188,8 +188,8 @@ struct WithNumbersOfItsOwn {
 /// Strata of roulette of a control variate.
 inline auto nested_strata(const std::string& name) {
   const auto make = [](auto real) {
-    return StratifiedMean(
-        WithNumbersOfItsOwn(Rouletted(controlled_height_squared<ControlVariate>()(real), 0.8), 3), 2, 2);
+    return StratifiedMean(WithNumbersOfItsOwn(Rouletted(controlled_height_squared<ControlVariate>()(real), 0.8), 3),
+                          2, 2);
   };
   return bounded_experiment(name, {"StratifiedMean", "Rouletted", "ControlVariate"},
                             "strata of roulette of a control variate keep the mean", "elementary",

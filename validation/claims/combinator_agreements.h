@@ -25,12 +25,12 @@ auto one_against_all(const std::string& name) {
     return Rgb<Real>(a - both(real, source));
   };
   return Estimand{name,
-                    {"UniformLightSampler", "AllLights", "DirectLight"},
-                    "one of two unequal lights, weighted by their number, agrees with both, per channel",
-                    "the paper, A.1",
-                    2,
-                    references,
-                    draw};
+                  {"UniformLightSampler", "AllLights", "DirectLight"},
+                  "one of two unequal lights, weighted by their number, agrees with both, per channel",
+                  "the paper, A.1",
+                  2,
+                  references,
+                  draw};
 }
 
 /// Roulette on against off, in the Cornell box, over a patch of its floor, up to four bounces.
@@ -55,15 +55,14 @@ auto roulette_on_against_off(const std::string& name) {
     return Rgb<Real>(on.along(ray, real, source) - without);
   };
   const Reference reference{0, -52, 52, 0, /*scale=*/0.15};
-  return Estimand{
-      name,
-      {"RouletteByReflectance", "NoRoulette", "PathTracer"},
-      "on the floor of the Cornell box, up to four bounces, roulette on agrees with roulette off, per "
-      "channel",
-      "the paper, 3.2.1",
-      30,
-      {reference, reference, reference},
-      draw};
+  return Estimand{name,
+                  {"RouletteByReflectance", "NoRoulette", "PathTracer"},
+                  "on the floor of the Cornell box, up to four bounces, roulette on agrees with roulette off, per "
+                  "channel",
+                  "the paper, 3.2.1",
+                  30,
+                  {reference, reference, reference},
+                  draw};
 }
 
 }  // namespace fairlight

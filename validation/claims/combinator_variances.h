@@ -1,7 +1,7 @@
 #pragma once
 
-#include <fairlight/validation/claims/combinations.h>
 #include <fairlight/validation/checks/variances.h>
+#include <fairlight/validation/claims/combinations.h>
 
 namespace fairlight {
 
@@ -19,8 +19,9 @@ VarianceArm dice(const std::string& name, int times) {
 
 template <class All = AllLights>
 Claim all_against_one() {
-  return variance_claim("variance.all_against_one", {"AllLights", "UniformLightSampler"}, "elementary; the paper, A.1", 370.0 / 395,
-                        10, dice<All>("throwing both dice", 1), dice<UniformLightSampler>("throwing one of them, twice,", 2));
+  return variance_claim("variance.all_against_one", {"AllLights", "UniformLightSampler"},
+                        "elementary; the paper, A.1", 370.0 / 395, 10, dice<All>("throwing both dice", 1),
+                        dice<UniformLightSampler>("throwing one of them, twice,", 2));
 }
 
 namespace detail {

@@ -1,9 +1,9 @@
+#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/combinations.h>
 #include <fairlight/validation/claims/combinator_variances.h>
 #include <fairlight/validation/claims/furnace.h>
 #include <fairlight/validation/claims/long_sums.h>
 #include <fairlight/validation/claims/roulette_walk.h>
-#include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
 namespace {

@@ -14,7 +14,7 @@ namespace fairlight {
 template <template <class> class Cone>
 auto cone_law() {
   return LawEstimand{"cone.uniform", "UniformCone", "Shirley, Wang, Zimmerman 1996",
-                       []<class Real>(std::type_identity<Real>) { return Cone<Real>(Real(1.5)); }, CapDomain(1.5)};
+                     []<class Real>(std::type_identity<Real>) { return Cone<Real>(Real(1.5)); }, CapDomain(1.5)};
 }
 
 /// A lobe about a tilted axis.
@@ -22,15 +22,15 @@ template <template <class> class Lobe>
 auto lobe_law(const std::string& name, double exponent) {
   const Eigen::Vector3d axis(2.0 / 3, -1.0 / 3, 2.0 / 3);
   return LawEstimand{name,
-                       "PowerCosineLobe",
-                       "Lafortune and Willems 1994",
-                       [=]<class Real>(std::type_identity<Real>) {
-                         const Vec3<Real> about(rounded<Real>(axis.x()), rounded<Real>(axis.y()),
-                                                rounded<Real>(axis.z()));
-                         return Lobe<Real>(about, rounded<Real>(exponent));
-                       },
-                       CapDomain(1, axis),
-                       8};
+                     "PowerCosineLobe",
+                     "Lafortune and Willems 1994",
+                     [=]<class Real>(std::type_identity<Real>) {
+                       const Vec3<Real> about(rounded<Real>(axis.x()), rounded<Real>(axis.y()),
+                                              rounded<Real>(axis.z()));
+                       return Lobe<Real>(about, rounded<Real>(exponent));
+                     },
+                     CapDomain(1, axis),
+                     8};
 }
 
 /// The integral over a cone of 1 + sin^2(theta) / sin^2(theta_max). With s the latter and H = 1 - cos(theta_max),
@@ -90,12 +90,12 @@ auto sphere_integral() {
   };
   constexpr double whole = 4 * std::numbers::pi;
   return Estimand{"importance.sphere.height_squared",
-                    {"Importance", "UniformSphere"},
-                    "the integral of z^2 over all directions is 4 pi / 3",
-                    "elementary",
-                    1,
-                    {{whole / 3, 0, whole * (1 + 1e-12)}},
-                    draw};
+                  {"Importance", "UniformSphere"},
+                  "the integral of z^2 over all directions is 4 pi / 3",
+                  "elementary",
+                  1,
+                  {{whole / 3, 0, whole * (1 + 1e-12)}},
+                  draw};
 }
 
 }  // namespace fairlight

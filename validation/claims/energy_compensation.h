@@ -40,12 +40,12 @@ auto metal_weight(const std::string& name, const GreyMetal<Loss>& metal, double 
     return Real(surface.sample(direction<Real>(out), {place.x(), place.y(), source.next()}).weight[0]);
   };
   return Estimand{name,
-                    {"EnergyCompensatedConductor", "ConstantReflectance"},
-                    "the weight of a bounce has the albedo as its mean; with white facets, 1",
-                    "Kulla and Conty 2017",
-                    1,
-                    {{.mean = albedo, .lower = 0, .upper = upper, .rounding = loss_rounding}},
-                    draw};
+                  {"EnergyCompensatedConductor", "ConstantReflectance"},
+                  "the weight of a bounce has the albedo as its mean; with white facets, 1",
+                  "Kulla and Conty 2017",
+                  1,
+                  {{.mean = albedo, .lower = 0, .upper = upper, .rounding = loss_rounding}},
+                  draw};
 }
 
 /// The white furnace: facets that absorb nothing give back all the light.
@@ -80,15 +80,15 @@ auto metal_uniform(const std::string& name) {
         .estimate(source);
   };
   return Estimand{name,
-                    {"EnergyCompensatedConductor", "UniformHemisphere"},
-                    "the integral of f cos over uniform directions is 1 for white facets",
-                    "Kulla and Conty 2017",
-                    1,
-                    {{.mean = 1,
-                      .lower = 0,
-                      .upper = 1 + 2 * (1 - rough_albedo(0.6)) / (1 - rough_mean_albedo()),
-                      .rounding = loss_rounding}},
-                    draw};
+                  {"EnergyCompensatedConductor", "UniformHemisphere"},
+                  "the integral of f cos over uniform directions is 1 for white facets",
+                  "Kulla and Conty 2017",
+                  1,
+                  {{.mean = 1,
+                    .lower = 0,
+                    .upper = 1 + 2 * (1 - rough_albedo(0.6)) / (1 - rough_mean_albedo()),
+                    .rounding = loss_rounding}},
+                  draw};
 }
 
 }  // namespace fairlight

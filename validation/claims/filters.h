@@ -39,13 +39,13 @@ auto filter_moment(const std::string& name, const std::string& subject, double m
   };
   const Reference reference{1 - moment / (reach * reach), -1e-12, 1};
   return Estimand{name + ".spread",
-                    {subject},
-                    "one less the mean squared offset over the reach's square, along either axis and over both, is "
-                    "the closed form",
-                    "elementary",
-                    1,
-                    {reference, reference, reference},
-                    draw};
+                  {subject},
+                  "one less the mean squared offset over the reach's square, along either axis and over both, is "
+                  "the closed form",
+                  "elementary",
+                  1,
+                  {reference, reference, reference},
+                  draw};
 }
 
 }  // namespace fairlight

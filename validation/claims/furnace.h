@@ -58,12 +58,12 @@ auto furnace_radiance(const std::string& name, std::vector<std::string> subjects
     references.push_back(furnace.reference_within(c, 0, GeometricSum{le, le, q}));
   }
   return Estimand{name,
-                    std::move(subjects),
-                    furnace.description + " the radiance is Le / (1 - rho), per channel",
-                    "geometric series of the transport operator",
-                    margin_factor,
-                    references,
-                    RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
+                  std::move(subjects),
+                  furnace.description + " the radiance is Le / (1 - rho), per channel",
+                  "geometric series of the transport operator",
+                  margin_factor,
+                  references,
+                  RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
 }
 
 /// A white mirror ball in it is invisible: it shows what the sphere shows. The ray meets it head on.
@@ -107,13 +107,13 @@ auto two_spheres(const std::string& name, std::vector<std::string> subjects, dou
     references.push_back(furnace.reference_within(c, le, GeometricSum{term, largest * term, q}));
   }
   return Estimand{name,
-                    std::move(subjects),
-                    "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
-                    "rho), per channel",
-                    "geometric series of the transport operator",
-                    3,
-                    references,
-                    RadianceAlong(furnace.scene, furnace.ray, make)};
+                  std::move(subjects),
+                  "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
+                  "rho), per channel",
+                  "geometric series of the transport operator",
+                  3,
+                  references,
+                  RadianceAlong(furnace.scene, furnace.ray, make)};
 }
 
 /// Paths of at most `depth` bounces against the partial sum.
@@ -130,13 +130,13 @@ auto furnace_partial_sum(const std::string& name, std::vector<std::string> subje
     references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
   }
   return Estimand{name,
-                    std::move(subjects),
-                    "inside a closed sphere the terms up to depth " + std::to_string(depth) +
-                        " sum to Le (1 - rho^" + std::to_string(depth + 1) + ") / (1 - rho), per channel",
-                    "geometric series of the transport operator",
-                    1,
-                    references,
-                    RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
+                  std::move(subjects),
+                  "inside a closed sphere the terms up to depth " + std::to_string(depth) + " sum to Le (1 - rho^" +
+                      std::to_string(depth + 1) + ") / (1 - rho), per channel",
+                  "geometric series of the transport operator",
+                  1,
+                  references,
+                  RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
 }
 
 }  // namespace fairlight

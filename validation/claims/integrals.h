@@ -72,12 +72,12 @@ auto lambertian_albedo(const std::string& name, const std::string& subject) {
     return Real(surface.sample({Real(0), Real(0), Real(1)}, next_pair<Real>(source)).weight[0]);
   };
   return Estimand{name,
-                    {"Lambertian", subject},
-                    "the weight of a bounce has the albedo as its mean",
-                    "elementary",
-                    1,
-                    {{albedo, 0, 2 * albedo * (1 + 1e-12)}},
-                    draw};
+                  {"Lambertian", subject},
+                  "the weight of a bounce has the albedo as its mean",
+                  "elementary",
+                  1,
+                  {{albedo, 0, 2 * albedo * (1 + 1e-12)}},
+                  draw};
 }
 
 /// With cosine-weighted directions every bounce weighs exactly the albedo.
@@ -120,12 +120,12 @@ auto two_dice(const std::string& name, std::vector<std::string> subjects) {
     return Terms::template sum<Real>(2, source, die);
   };
   return Estimand{name,
-                    std::move(subjects),
-                    "two unlike dice sum to 47/6 in the mean",
-                    "the paper, A.1",
-                    1,
-                    {{47.0 / 6, 0, 12}},
-                    draw};
+                  std::move(subjects),
+                  "two unlike dice sum to 47/6 in the mean",
+                  "the paper, A.1",
+                  1,
+                  {{47.0 / 6, 0, 12}},
+                  draw};
 }
 
 }  // namespace fairlight

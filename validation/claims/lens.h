@@ -21,19 +21,19 @@ namespace fairlight {
 template <template <class> class Filter>
 auto gaussian_law() {
   return LawEstimand{"filter.gaussian",
-                       "GaussianFilter",
-                       "Ernst, Stamminger, Greiner 2006",
-                       []<class Real>(std::type_identity<Real>) { return Filter<Real>(Real(0.5), Real(1)); },
-                       SquareDomain{-1, 1},
-                       8};
+                     "GaussianFilter",
+                     "Ernst, Stamminger, Greiner 2006",
+                     []<class Real>(std::type_identity<Real>) { return Filter<Real>(Real(0.5), Real(1)); },
+                     SquareDomain{-1, 1},
+                     8};
 }
 
 /// Uniform points of a disk of radius 2.5.
 template <template <class> class Aperture>
 auto circular_aperture_law() {
   return LawEstimand{"aperture.circle", "CircularAperture", "Shirley and Chiu 1997",
-                       []<class Real>(std::type_identity<Real>) { return Aperture<Real>(Real(2.5)); },
-                       DiskDomain{2.5}};
+                     []<class Real>(std::type_identity<Real>) { return Aperture<Real>(Real(2.5)); },
+                     DiskDomain{2.5}};
 }
 
 /// Uniform points of a pentagon, turned: the coordinates of its draws have the moments of a uniform point of the square.
@@ -67,13 +67,13 @@ inline auto polygon_second_moment(int blades) {
     return Real(aperture.sample(next_pair<Real>(source)).squaredNorm());
   };
   return Estimand{"aperture.polygon.second_moment." + std::to_string(blades),
-                    {"PolygonalAperture"},
-                    "over a regular polygon of " + std::to_string(blades) +
-                        " corners the mean squared distance from the centre is R^2 (2 + cos(2 pi / n)) / 6",
-                    "elementary",
-                    1,
-                    {{mean, 0, radius * radius * (1 + 1e-12)}},
-                    draw};
+                  {"PolygonalAperture"},
+                  "over a regular polygon of " + std::to_string(blades) +
+                      " corners the mean squared distance from the centre is R^2 (2 + cos(2 pi / n)) / 6",
+                  "elementary",
+                  1,
+                  {{mean, 0, radius * radius * (1 + 1e-12)}},
+                  draw};
 }
 
 /// The pinhole's direction that the lens claims look in: far from the axis, where it matters what a distance is along.

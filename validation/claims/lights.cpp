@@ -1,7 +1,7 @@
 #include <fairlight/estimators/environment.h>
+#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/lights.h>
 #include <fairlight/validation/claims/picks.h>
-#include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
 namespace {
@@ -82,8 +82,8 @@ void add_rectangles(std::vector<Claim>& claims) {
                                                                      "RectangleBySolidAngle", beside, aside,
                                                                      beside.solid_angle()));
   const LawEstimand points{"rectangle.by_solid_angle", "RectangleBySolidAngle", "Urena, Fajardo, King 2013",
-                             [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
-                             SquareDomain{0, 1}};
+                           [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
+                           SquareDomain{0, 1}};
   claims.push_back(law_claim(points));
   claims.push_back(law_moments_claim(points));
 }

@@ -3,9 +3,9 @@
 #include <fairlight/estimators/choose_light.h>
 #include <fairlight/estimators/rectangle_light.h>
 #include <fairlight/estimators/sphere_sampling.h>
-#include <fairlight/validation/claims/irradiance.h>
 #include <fairlight/validation/checks/estimand.h>
 #include <fairlight/validation/checks/law_claims.h>
+#include <fairlight/validation/claims/irradiance.h>
 
 namespace fairlight {
 
@@ -130,12 +130,12 @@ auto rectangle_solid_angle_claim(const std::string& name, const std::string& sub
     return safe_divide(Real(1), sample.density);
   };
   return Estimand{name,
-                    {subject},
-                    "the mean of 1/p is the solid angle of the rectangle",
-                    "elementary: the sum over the corners of atan(x y / (z r))",
-                    1,
-                    {{rectangle.solid_angle(), 0, largest * (1 + 1e-9)}},
-                    draw};
+                  {subject},
+                  "the mean of 1/p is the solid angle of the rectangle",
+                  "elementary: the sum over the corners of atan(x y / (z r))",
+                  1,
+                  {{rectangle.solid_angle(), 0, largest * (1 + 1e-9)}},
+                  draw};
 }
 
 /// The directions that a strategy takes from a point, as a law.

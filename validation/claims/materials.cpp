@@ -1,7 +1,7 @@
+#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/integrals.h>
 #include <fairlight/validation/claims/mixtures.h>
 #include <fairlight/validation/claims/reflectances.h>
-#include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
 namespace {

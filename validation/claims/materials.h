@@ -9,8 +9,8 @@
 #include <fairlight/estimators/importance.h>
 #include <fairlight/estimators/uniform_sphere_area.h>
 #include <fairlight/stats/quadrature.h>
-#include <fairlight/validation/claims/fresnel.h>
 #include <fairlight/validation/checks/estimand.h>
+#include <fairlight/validation/claims/fresnel.h>
 
 namespace fairlight {
 
@@ -69,12 +69,12 @@ auto glass_albedo(const std::string& name, const std::array<double, 3>& degrees,
     return weight;
   };
   return Estimand{name,
-                    {"Dielectric"},
-                    "radiance through glass: the mean weight of a bounce is F + (1 - F) / eta^2, at three angles",
-                    "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2",
-                    1,
-                    references,
-                    draw};
+                  {"Dielectric"},
+                  "radiance through glass: the mean weight of a bounce is F + (1 - F) / eta^2, at three angles",
+                  "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2",
+                  1,
+                  references,
+                  draw};
 }
 
 /// Cosine-distributed `out`: the mean weight is R + (1 - R) / eta^2, with R the diffuse reflectance of that side.
@@ -90,12 +90,12 @@ auto glass_diffuse(const std::string& name, bool above) {
     return Real(detail::bounce(Glass<Real>(rounded<Real>(glass_index)), out, source).weight[0]);
   };
   return Estimand{name,
-                    {"Dielectric", "CosineHemisphere"},
-                    "diffuse radiance through glass: the mean weight of a bounce is R + (1 - R) / eta^2",
-                    "Walsh 1926; Duntley 1942",
-                    1,
-                    {{radiance_albedo(reflectance, eta), 0, largest_radiance_weight(eta) * (1 + 1e-12)}},
-                    draw};
+                  {"Dielectric", "CosineHemisphere"},
+                  "diffuse radiance through glass: the mean weight of a bounce is R + (1 - R) / eta^2",
+                  "Walsh 1926; Duntley 1942",
+                  1,
+                  {{radiance_albedo(reflectance, eta), 0, largest_radiance_weight(eta) * (1 + 1e-12)}},
+                  draw};
 }
 
 /// The diffuse reflectance of glass from outside, 2 F cos in the mean over cosines that are uniform in [0,1). Bound: with
@@ -110,12 +110,12 @@ inline auto fresnel_diffuse(const std::string& name) {
     return Real(estimator.estimate(source));
   };
   return Estimand{name,
-                    {"fresnel_dielectric", "Importance"},
-                    "glass reflects of diffuse light what Walsh and Duntley say",
-                    "Walsh 1926; Duntley 1942",
-                    1,
-                    {{diffuse_reflectance_outside(detail::glass_index), 0, upper}},
-                    draw};
+                  {"fresnel_dielectric", "Importance"},
+                  "glass reflects of diffuse light what Walsh and Duntley say",
+                  "Walsh 1926; Duntley 1942",
+                  1,
+                  {{diffuse_reflectance_outside(detail::glass_index), 0, upper}},
+                  draw};
 }
 
 /// The weight of a bounce off glass with the density of radiance undone: w eta^2 where it was refracted, to the other side. One
@@ -178,12 +178,12 @@ inline auto conductor_diffuse(const std::string& name) {
     return detail::bounce(Copper().surface<Real>(), out, source).weight;
   };
   return Estimand{name,
-                    {"Conductor", "fresnel_conductor", "CosineHemisphere"},
-                    "copper reflects of diffuse light the integral of Fresnel's equations, per channel",
-                    "Born and Wolf, 14.2, in complex amplitudes; quadrature",
-                    1,
-                    references,
-                    draw};
+                  {"Conductor", "fresnel_conductor", "CosineHemisphere"},
+                  "copper reflects of diffuse light the integral of Fresnel's equations, per channel",
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature",
+                  1,
+                  references,
+                  draw};
 }
 
 /// A surface that every bounce from `angle` weighs the same on: `make(type_identity<Real>)` gives it; `mean` is its albedo.

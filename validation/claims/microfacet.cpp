@@ -1,5 +1,5 @@
-#include <fairlight/validation/claims/energy_compensation.h>
 #include <fairlight/validation/claims/claims.h>
+#include <fairlight/validation/claims/energy_compensation.h>
 
 namespace fairlight {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fairlight/estimators/importance.h>
 #include <fairlight/estimators/rough_conductor.h>
-#include <fairlight/validation/claims/ggx_albedo.h>
 #include <fairlight/validation/checks/law_claims.h>
+#include <fairlight/validation/claims/ggx_albedo.h>
 
 namespace fairlight {
 
@@ -32,10 +32,10 @@ struct GgxView {
 template <template <class> class Normals = GgxVisibleNormals>
 auto visible_normals_law(const std::string& name, const GgxView& view) {
   return LawEstimand{name, "GgxVisibleNormals", "Heitz 2018; Dupuy and Benyoub 2023",
-                       [=]<class Real>(std::type_identity<Real>) {
-                         return Normals<Real>(view.facets<Ggx, Real>(), direction<Real>(view.out()));
-                       },
-                       LuneDomain{view.out(), Eigen::Vector3d::UnitZ()}};
+                     [=]<class Real>(std::type_identity<Real>) {
+                       return Normals<Real>(view.facets<Ggx, Real>(), direction<Real>(view.out()));
+                     },
+                     LuneDomain{view.out(), Eigen::Vector3d::UnitZ()}};
 }
 
 /// The facets' area, as seen from `out`: the integral of max(0, out.m) D(m) is z (1 + Lambda), masked and unmasked
@@ -54,12 +54,12 @@ auto facet_area(const std::string& name, const GgxView& view) {
   };
   const double area = view.z * (1 + GgxAlbedo{view.alpha_x, view.alpha_y}.lambda(view.out()));
   return Estimand{name,
-                    {"Ggx", "UniformHemisphere"},
-                    "the facets that face a direction have the area cos(theta) (1 + Lambda), seen from there",
-                    "Heitz 2014",
-                    1,
-                    {{area, 0, 2 / (view.alpha_x * view.alpha_y) * (1 + 1e-12)}},
-                    draw};
+                  {"Ggx", "UniformHemisphere"},
+                  "the facets that face a direction have the area cos(theta) (1 + Lambda), seen from there",
+                  "Heitz 2014",
+                  1,
+                  {{area, 0, 2 / (view.alpha_x * view.alpha_y) * (1 + 1e-12)}},
+                  draw};
 }
 
 /// A conductor whose facets are white, from parts that may be wrong.
@@ -77,12 +77,12 @@ auto conductor_weight(const std::string& name, const GgxView& view) {
     return Real(surface.sample(direction<Real>(view.out()), next_pair<Real>(source)).weight[0]);
   };
   return Estimand{name,
-                    {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
-                    "the weight of a bounce off white facets has the albedo as its mean",
-                    "quadrature over the slopes; Walter et al. 2007",
-                    1,
-                    {{view.albedo(), 0, 1.01}},
-                    draw};
+                  {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
+                  "the weight of a bounce off white facets has the albedo as its mean",
+                  "quadrature over the slopes; Walter et al. 2007",
+                  1,
+                  {{view.albedo(), 0, 1.01}},
+                  draw};
 }
 
 /// The same from `eval` and the density that comes with the bounce; 0 where there is none.
@@ -96,12 +96,12 @@ auto conductor_density(const std::string& name, const GgxView& view) {
     return Real(surface.eval(out, bounce.in)[0] * bounce.in.z() / select(p > Real(0), p, Real(1)));
   };
   return Estimand{name,
-                    {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
-                    "f cos / p of the bounces off white facets has the albedo as its mean",
-                    "quadrature over the slopes; Walter et al. 2007",
-                    1,
-                    {{view.albedo(), 0, 1.01}},
-                    draw};
+                  {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
+                  "f cos / p of the bounces off white facets has the albedo as its mean",
+                  "quadrature over the slopes; Walter et al. 2007",
+                  1,
+                  {{view.albedo(), 0, 1.01}},
+                  draw};
 }
 
 /// The same from uniform directions. Bound: D <= 1 / (pi ax ay), and z_in / (2 (s_out z_in + s_in z_out)) <= 1 / (2
@@ -117,12 +117,12 @@ auto conductor_uniform(const std::string& name, const GgxView& view) {
   };
   const double stretched = view.z * (1 + 2 * GgxAlbedo{view.alpha_x, view.alpha_y}.lambda(view.out()));
   return Estimand{name,
-                    {"RoughConductor", "UniformHemisphere"},
-                    "the integral of f cos over uniform directions is the albedo of white facets",
-                    "quadrature over the slopes; Walter et al. 2007",
-                    1,
-                    {{view.albedo(), 0, (1 + 1e-12) / (view.alpha_x * view.alpha_y * stretched)}},
-                    draw};
+                  {"RoughConductor", "UniformHemisphere"},
+                  "the integral of f cos over uniform directions is the albedo of white facets",
+                  "quadrature over the slopes; Walter et al. 2007",
+                  1,
+                  {{view.albedo(), 0, (1 + 1e-12) / (view.alpha_x * view.alpha_y * stretched)}},
+                  draw};
 }
 
 }  // namespace fairlight

@@ -41,14 +41,13 @@ auto two_lambertians(const std::string& name) {
     return detail::weight_and_height(detail::bounce(surface, detail::out_at<Real>(1, true), source));
   };
   constexpr double upper = albedo / (q + (1 - q) / 2) * (1 + 1e-12);
-  return Estimand{
-      name,
-      {"Mixture", "Lambertian", "UniformHemisphere", "CosineHemisphere"},
-      "two diffuse lobes, sampled in two ways, reflect the sum of their albedos, and of their cosines",
-      "elementary: the integral of z^n over the hemisphere is 2 pi / (n + 1)",
-      1,
-      {{albedo, 0, upper}, {albedo * 2 / 3, 0, upper}},
-      draw};
+  return Estimand{name,
+                  {"Mixture", "Lambertian", "UniformHemisphere", "CosineHemisphere"},
+                  "two diffuse lobes, sampled in two ways, reflect the sum of their albedos, and of their cosines",
+                  "elementary: the integral of z^n over the hemisphere is 2 pi / (n + 1)",
+                  1,
+                  {{albedo, 0, upper}, {albedo * 2 / 3, 0, upper}},
+                  draw};
 }
 
 /// A mirror and a diffuse lobe, seen at the height 0.6, chosen in other proportions than they reflect.
@@ -69,12 +68,12 @@ auto mirror_and_lambertian(const std::string& name) {
   };
   constexpr double upper = diffuse / (1 - q) * (1 + 1e-12);
   return Estimand{name,
-                    {"Mixture", "Mirror", "Lambertian"},
-                    "a mirror and a diffuse lobe reflect the sum of their albedos, and of their cosines",
-                    "elementary",
-                    1,
-                    {{shiny + diffuse, 0, upper}, {shiny * z + diffuse * 2 / 3, 0, upper}},
-                    draw};
+                  {"Mixture", "Mirror", "Lambertian"},
+                  "a mirror and a diffuse lobe reflect the sum of their albedos, and of their cosines",
+                  "elementary",
+                  1,
+                  {{shiny + diffuse, 0, upper}, {shiny * z + diffuse * 2 / 3, 0, upper}},
+                  draw};
 }
 
 /// Lobes chosen in proportion to what they reflect make every bounce weigh the albedo: 5/8 from w rho = 1/8 and 1/2.

@@ -1,5 +1,5 @@
-#include <fairlight/validation/claims/paired_boxes.h>
 #include <fairlight/validation/claims/claims.h>
+#include <fairlight/validation/claims/paired_boxes.h>
 
 namespace fairlight {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <fairlight/stats/evidence.h>
 #include <fairlight/stats/text.h>
-#include <fairlight/validation/claims/relations.h>
 #include <fairlight/validation/checks/means.h>
+#include <fairlight/validation/claims/relations.h>
 
 namespace fairlight {
 

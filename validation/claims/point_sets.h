@@ -163,12 +163,12 @@ inline auto product_integral() {
     return Real(x0 * source.next());
   };
   return Estimand{"stream.product",
-                    {"PhiloxStream"},
-                    "the integral of x0 x2 over the cube is 1/4",
-                    "elementary",
-                    2,
-                    {{0.25, 0, 1}},
-                    draw};
+                  {"PhiloxStream"},
+                  "the integral of x0 x2 over the cube is 1/4",
+                  "elementary",
+                  2,
+                  {{0.25, 0, 1}},
+                  draw};
 }
 
 /// A source's numbers as they come.
@@ -191,12 +191,12 @@ auto blocks_integral() {
     return product;
   };
   return Estimand{"stream.blocks",
-                    {"PhiloxStream"},
-                    "the integral of x0 x5 x10 over the cube is 1/8",
-                    "elementary",
-                    4,
-                    {{0.125, 0, 1}},
-                    draw};
+                  {"PhiloxStream"},
+                  "the integral of x0 x5 x10 over the cube is 1/8",
+                  "elementary",
+                  4,
+                  {{0.125, 0, 1}},
+                  draw};
 }
 
 }  // namespace fairlight

@@ -1,8 +1,8 @@
-#include <fairlight/validation/claims/point_sets.h>
-#include <fairlight/validation/claims/streams.h>
-#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/checks/law_claims.h>
 #include <fairlight/validation/checks/padded_sets.h>
+#include <fairlight/validation/claims/claims.h>
+#include <fairlight/validation/claims/point_sets.h>
+#include <fairlight/validation/claims/streams.h>
 
 namespace fairlight {
 
@@ -29,8 +29,8 @@ void add_padded_set(std::vector<Claim>& claims, const PointSetKind<Set>& kind, s
 
 void add_random_claims(std::vector<Claim>& claims) {
   add_law(claims, LawEstimand{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
-                                []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
-                                SquareDomain{0, 1}, 5, true});
+                              []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
+                              SquareDomain{0, 1}, 5, true});
   claims.push_back(streams_uncorrelated_claim());
   claims.push_back(mean_claim_alone<double>(product_integral()));
   claims.push_back(mean_claim_alone<Packet>(product_integral()));

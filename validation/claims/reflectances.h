@@ -118,12 +118,12 @@ inline auto copper_reflectance(const CosineRange& range) {
     return copper(detail::cosine_between<Real>(range.low, range.high, source));
   };
   return Estimand{std::string("fresnel.conductor.") + range.name,
-                    {"FresnelReflectance", "fresnel_conductor"},
-                    "copper reflects the integral of Fresnel's equations, over a range of cosines",
-                    "Born and Wolf, 14.2, in complex amplitudes; quadrature",
-                    1,
-                    references,
-                    draw};
+                  {"FresnelReflectance", "fresnel_conductor"},
+                  "copper reflects the integral of Fresnel's equations, over a range of cosines",
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature",
+                  1,
+                  references,
+                  draw};
 }
 
 /// The mean of (1 - c)^5 over c in [a, b] is ((1 - a)^6 - (1 - b)^6) / (6 (b - a)).
@@ -139,12 +139,12 @@ inline auto schlick_reflectance(const CosineRange& range) {
         detail::cosine_between<Real>(range.low, range.high, source));
   };
   return Estimand{std::string("schlick.") + name,
-                    {"SchlickReflectance"},
-                    "Schlick's reflectance has the integral of a fifth power, over a range of cosines",
-                    "elementary; Schlick 1994",
-                    1,
-                    references,
-                    draw};
+                  {"SchlickReflectance"},
+                  "Schlick's reflectance has the integral of a fifth power, over a range of cosines",
+                  "elementary; Schlick 1994",
+                  1,
+                  references,
+                  draw};
 }
 
 }  // namespace fairlight

@@ -1,5 +1,5 @@
-#include <fairlight/validation/claims/scene_relations.h>
 #include <fairlight/validation/claims/claims.h>
+#include <fairlight/validation/claims/scene_relations.h>
 
 namespace fairlight {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <fairlight/render/strategies.h>
-#include <fairlight/validation/claims/related_scenes.h>
 #include <fairlight/validation/checks/padded_sets.h>
 #include <fairlight/validation/claims/radiance.h>
+#include <fairlight/validation/claims/related_scenes.h>
 
 namespace fairlight {
 
@@ -114,12 +114,12 @@ auto same_means(const RelatedViews& views, const PictureMeans& means) {
     return Real(other(real, place, means.same_numbers ? same : source) - a);
   };
   return Estimand{views.name,
-                    {"PathTracer", "DirectLight"},
-                    views.statement + (means.same_numbers ? ", path by path" : ""),
-                    "the light transport equation",
-                    means.margin_factor,
-                    {{0, -means.largest, means.largest, 0, means.mean, Sides::both, means.rounding}},
-                    draw};
+                  {"PathTracer", "DirectLight"},
+                  views.statement + (means.same_numbers ? ", path by path" : ""),
+                  "the light transport equation",
+                  means.margin_factor,
+                  {{0, -means.largest, means.largest, 0, means.mean, Sides::both, means.rounding}},
+                  draw};
 }
 
 /// What is compared of sets, and sets of twice as many.

@@ -7,8 +7,8 @@
 #include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/render_image.h>
 #include <fairlight/stats/text.h>
-#include <fairlight/validation/claims/closed_scenes.h>
 #include <fairlight/validation/checks/draws.h>
+#include <fairlight/validation/claims/closed_scenes.h>
 
 namespace fairlight {
 

@@ -40,12 +40,12 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
     return sum;
   };
   return Estimand{name,
-                    {subject},
-                    "bounces without end carry 1 / (1 - albedo) together, per channel",
-                    "geometric series",
-                    1,
-                    references,
-                    draw};
+                  {subject},
+                  "bounces without end carry 1 / (1 - albedo) together, per channel",
+                  "geometric series",
+                  1,
+                  references,
+                  draw};
 }
 
 /// With the first bounce spared.
@@ -79,9 +79,9 @@ auto walk_length(const std::string& name, const std::string& subject, const std:
     return length;
   };
   return Estimand{name,      {subject},
-                    statement, "geometric series; the paper, 3.2.1",
-                    2,         {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}},
-                    draw};
+                  statement, "geometric series; the paper, 3.2.1",
+                  2,         {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}},
+                  draw};
 }
 
 template <class Roulette>

@@ -43,12 +43,12 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
     return Real((difference[0] + difference[1] + difference[2]) / Real(3));
   };
   return Estimand{name,
-                    std::move(subjects),
-                    "the mean of the picture of " + comparison.scene + " is the same by both strategies",
-                    "the same integral",
-                    comparison.margin_factor,
-                    {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}},
-                    draw};
+                  std::move(subjects),
+                  "the mean of the picture of " + comparison.scene + " is the same by both strategies",
+                  "the same integral",
+                  comparison.margin_factor,
+                  {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}},
+                  draw};
 }
 
 /// A square of a picture, of which (0,0) is the upper left corner and (1,1) the lower right one.

@@ -1,6 +1,6 @@
+#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/scene_agreements.h>
 #include <fairlight/validation/claims/scene_relations.h>
-#include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
 namespace {

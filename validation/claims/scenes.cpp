@@ -1,7 +1,7 @@
+#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/combinator_agreements.h>
 #include <fairlight/validation/claims/furnace.h>
 #include <fairlight/validation/claims/sphere_over_plane.h>
-#include <fairlight/validation/claims/claims.h>
 
 namespace fairlight {
 
@@ -38,9 +38,10 @@ void add_furnaces(std::vector<Claim>& claims) {
       "shared", {"PathTracer", "DirectLight", "Mirror", "BalanceHeuristic"}));
   add(furnace_radiance<Tracer<All, Roulette>>("furnace.light",
                                               {"PathTracer", "DirectLight", "RouletteByReflectance"}, 2));
-  add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllLights", "RouletteByReflectance"}, 12.25,
-                  always(Tracer<All, Roulette>())));
-  add(two_spheres("furnace.two_spheres.one", {"PathTracer", "DirectLight", "UniformLightSampler", "RouletteByReflectance"}, 24.5,
+  add(two_spheres("furnace.two_spheres.all", {"PathTracer", "DirectLight", "AllLights", "RouletteByReflectance"},
+                  12.25, always(Tracer<All, Roulette>())));
+  add(two_spheres("furnace.two_spheres.one",
+                  {"PathTracer", "DirectLight", "UniformLightSampler", "RouletteByReflectance"}, 24.5,
                   always(Tracer<One, Roulette>())));
   add(two_spheres("furnace.two_spheres.cone", {"PathTracer", "DirectLight", "AllLights", "SphereByCone"}, 4.1,
                   always(Tracer<AllByCone, Roulette>())));
@@ -111,10 +112,10 @@ void add_two_lights(std::vector<Claim>& claims) {
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
   add(floor_radiance<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllLights"}, two_lights(), 1,
                                                     all_terms));
-  add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "UniformLightSampler"}, two_lights(), 1,
-                                                    one_term));
-  add(floor_radiance("two_lights.power", {"DirectLight", "LightSampler", "PowerChoice"}, two_lights(), 1, power_term,
-                     by_power<NoRoulette>(two_lights().scene, 1)));
+  add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "UniformLightSampler"},
+                                                    two_lights(), 1, one_term));
+  add(floor_radiance("two_lights.power", {"DirectLight", "LightSampler", "PowerChoice"}, two_lights(), 1,
+                     power_term, by_power<NoRoulette>(two_lights().scene, 1)));
   add(floor_radiance<Tracer<ContributionByCone, NoRoulette>>(
       "two_lights.contribution", {"DirectLight", "ContributionLightSampler", "ContributionChoice"}, two_lights(), 1,
       contribution_term));

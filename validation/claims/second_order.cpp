@@ -7,11 +7,11 @@
 #include <fairlight/estimators/importance.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/stats/text.h>
+#include <fairlight/validation/checks/variances.h>
+#include <fairlight/validation/claims/claims.h>
 #include <fairlight/validation/claims/furnace.h>
 #include <fairlight/validation/claims/integrals.h>
 #include <fairlight/validation/claims/lights.h>
-#include <fairlight/validation/claims/claims.h>
-#include <fairlight/validation/checks/variances.h>
 
 namespace fairlight {
 namespace {
@@ -112,7 +112,7 @@ VarianceArm sobol_points_of(std::uint32_t n) {
 
 Claim sobol_against_independent() {
   const VarianceArm independent = independent_draws("16 independent ones", squared_cosine<CosineHemisphere>(), 0,
-                                                  std::numbers::pi * (1 + 1e-12), 16);
+                                                    std::numbers::pi * (1 + 1e-12), 16);
   return variance_claim("variance.sobol_against_independent", {"OwenSobol", "PhiloxStream"}, "Owen 1997", 1.0 / 100,
                         50, sobol_points_of(16), independent);
 }

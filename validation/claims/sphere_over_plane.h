@@ -87,13 +87,13 @@ auto floor_radiance(const std::string& name, std::vector<std::string> subjects, 
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) references.push_back({floor.reference(c), 0, bound(floor, c) * (1 + 1e-9)});
   return Estimand{name,
-                    std::move(subjects),
-                    "under " + std::to_string(floor.lights.size()) +
-                        " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
-                    "projected solid angle of a cone; Snyder 1996",
-                    margin_factor,
-                    references,
-                    RadianceAlong(floor.scene, floor.ray, make)};
+                  std::move(subjects),
+                  "under " + std::to_string(floor.lights.size()) +
+                      " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
+                  "projected solid angle of a cone; Snyder 1996",
+                  margin_factor,
+                  references,
+                  RadianceAlong(floor.scene, floor.ray, make)};
 }
 template <class Tracer, class Bound>
 auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,
@@ -123,7 +123,8 @@ auto shared_lights() {
     return 2 * s.sum_of_cone_terms(c) + s.albedo[c] * s.largest_radiance(c);
   };
   return floor_radiance<SharedTracer<Direct>>(
-      "two_lights.shared", {"DirectLight", "UniformLightSampler", "SphereByCone", "BalanceHeuristic"}, two_lights(), 4, bound);
+      "two_lights.shared", {"DirectLight", "UniformLightSampler", "SphereByCone", "BalanceHeuristic"}, two_lights(),
+      4, bound);
 }
 
 }  // namespace fairlight

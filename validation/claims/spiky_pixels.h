@@ -9,9 +9,9 @@
 #include <fairlight/estimators/allocation_stages.h>
 #include <fairlight/stats/replicates.h>
 #include <fairlight/stats/second_order.h>
+#include <fairlight/validation/checks/claim.h>
 #include <fairlight/validation/claims/image_numbers.h>
 #include <fairlight/validation/claims/pooled_stages.h>
-#include <fairlight/validation/checks/claim.h>
 
 namespace fairlight {
 

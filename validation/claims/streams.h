@@ -2,8 +2,8 @@
 
 #include <fairlight/estimators/vertex_source.h>
 #include <fairlight/stats/second_order.h>
-#include <fairlight/validation/checks/numbers.h>
 #include <fairlight/validation/checks/claim.h>
+#include <fairlight/validation/checks/numbers.h>
 
 namespace fairlight {
 

@@ -1,10 +1,10 @@
+#include <fairlight/validation/checks/law_claims.h>
 #include <fairlight/validation/claims/combinator_agreements.h>
 #include <fairlight/validation/claims/furnace.h>
 #include <fairlight/validation/claims/integrals.h>
 #include <fairlight/validation/claims/sphere_over_plane.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_components.h>
-#include <fairlight/validation/checks/law_claims.h>
 
 namespace fairlight {
 namespace {

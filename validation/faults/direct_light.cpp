@@ -1,6 +1,6 @@
-#include <fairlight/validation/claims/paired_boxes.h>
 #include <fairlight/validation/claims/closed_scenes.h>
 #include <fairlight/validation/claims/furnace.h>
+#include <fairlight/validation/claims/paired_boxes.h>
 #include <fairlight/validation/claims/sphere_over_plane.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_direct_light.h>

@@ -1,8 +1,8 @@
+#include <fairlight/validation/checks/law_claims.h>
 #include <fairlight/validation/claims/furnace.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_directions.h>
 #include <fairlight/validation/faults/wrong_tracers.h>
-#include <fairlight/validation/checks/law_claims.h>
 
 namespace fairlight {
 namespace {
@@ -10,7 +10,8 @@ namespace {
 template <template <class> class Directions>
 using TracerBy = PathTracer<BouncesBy<Directions>, NoDirectLight, RouletteByReflectance<>>;
 using Tracer = TracerBy<CosineHemisphere>;
-using FixedDepth = PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllLights, PointsBy<SphereByCone>>, NoRoulette>;
+using FixedDepth =
+    PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllLights, PointsBy<SphereByCone>>, NoRoulette>;
 
 // The row of the furnace by bounces alone.
 template <class Wrong>

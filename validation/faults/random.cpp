@@ -1,8 +1,8 @@
+#include <fairlight/validation/checks/law_claims.h>
+#include <fairlight/validation/checks/padded_sets.h>
 #include <fairlight/validation/claims/point_sets.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_point_sets.h>
-#include <fairlight/validation/checks/law_claims.h>
-#include <fairlight/validation/checks/padded_sets.h>
 
 namespace fairlight {
 namespace {
@@ -57,12 +57,12 @@ Fault same_order() {
 
 Fault coarse_numbers() {
   const LawEstimand stream{"stream.philox",
-                             "",
-                             "",
-                             []<class Real>(std::type_identity<Real>) { return faults::CoarseNumbers<Real>{}; },
-                             SquareDomain{0, 1},
-                             5,
-                             true};
+                           "",
+                           "",
+                           []<class Real>(std::type_identity<Real>) { return faults::CoarseNumbers<Real>{}; },
+                           SquareDomain{0, 1},
+                           5,
+                           true};
   return {.name = "numbers-of-16-bits",
           .kind = "streams",
           .source = "none: a random number made from 16 bits",

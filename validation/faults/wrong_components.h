@@ -2,8 +2,8 @@
 
 #include <fairlight/estimators/pick_one.h>
 #include <fairlight/estimators/roulette.h>
-#include <fairlight/estimators/uniform_sphere_area.h>
 #include <fairlight/estimators/sphere_sampling.h>
+#include <fairlight/estimators/uniform_sphere_area.h>
 
 /// Wrong variants of the kit's components, each a bug that somebody shipped. They stand in for the right ones
 /// through the same template parameters, and are part of no library.

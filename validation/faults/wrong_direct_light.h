@@ -81,7 +81,8 @@ struct MixedHeuristics : MisWeighted<> {
 struct ChanceForgottenByBounces : DirectLight<UniformLightSampler, PointsBy<SphereByCone>, MisWeighted<>> {
   template <class Real, class Scene>
   Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
-    return DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>>().emission_weight(scene, ray, surface, density);
+    return DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>>().emission_weight(scene, ray, surface,
+                                                                                           density);
   }
 };
 

@@ -109,8 +109,8 @@ struct ShadowsByTheOrigin : SceneAsIs<Scene> {
   template <class Real>
   Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target, const Mask<Real>& asked) const {
     const Real start = rounded<Real>(1e-3) * ray.origin.norm();
-    return this->scene.visible({ray.origin + start * ray.direction, ray.direction, ray.origin_primitive}, distance - start,
-                               target, asked);
+    return this->scene.visible({ray.origin + start * ray.direction, ray.direction, ray.origin_primitive},
+                               distance - start, target, asked);
   }
 };
 

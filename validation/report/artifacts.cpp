@@ -3,8 +3,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <fairlight/render/raster.h>
 #include <fairlight/render/atomic_file.h>
+#include <fairlight/render/raster.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/report/artifacts.h>
 #include <fairlight/validation/report/axes.h>

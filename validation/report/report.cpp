@@ -3,8 +3,8 @@
 
 #include <fairlight/stats/seed.h>
 #include <fairlight/stats/text.h>
-#include <fairlight/validation/run/replay_token.h>
 #include <fairlight/validation/report/report.h>
+#include <fairlight/validation/run/replay_token.h>
 #include <fairlight/version.h>
 
 namespace fairlight {

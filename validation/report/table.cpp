@@ -91,10 +91,11 @@ class Table {
     const Finding finding = finding_of(group);
     double seconds = 0;
     for (const Outcome* outcome : group) seconds += outcome->seconds;
-    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %10s %10s %12llu %8.2f\n", width_, title(group, options_).c_str(),
-                 colour(finding.verdict), name(finding.verdict), colours_ ? "\033[0m" : "",
-                 guarantee_of(group).c_str(), finding.margin, end_text(finding.interval.lo).c_str(),
-                 end_text(finding.interval.hi).c_str(), static_cast<unsigned long long>(finding.draws), seconds);
+    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %10s %10s %12llu %8.2f\n", width_,
+                 title(group, options_).c_str(), colour(finding.verdict), name(finding.verdict),
+                 colours_ ? "\033[0m" : "", guarantee_of(group).c_str(), finding.margin,
+                 end_text(finding.interval.lo).c_str(), end_text(finding.interval.hi).c_str(),
+                 static_cast<unsigned long long>(finding.draws), seconds);
   }
 
  private:

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include <fairlight/render/atomic_file.h>
-#include <fairlight/validation/run/ledger_run.h>
 #include <fairlight/stats/hash.h>
+#include <fairlight/validation/run/ledger_run.h>
 
 namespace fairlight {
 namespace {

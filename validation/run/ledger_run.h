@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/run/run_claims.h>
 #include <fairlight/validation/run/ledger.h>
+#include <fairlight/validation/run/run_claims.h>
 #include <fairlight/validation/run/sources.h>
 
 namespace fairlight {

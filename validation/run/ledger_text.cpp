@@ -95,7 +95,8 @@ std::string line_of(const LedgerEntry& entry) {
           std::to_string(entry.evidence_sum.channels().size());
   for (const auto& channel : entry.evidence_sum.channels()) {
     for (const EvidenceSum::Sum& sum : channel) {
-      for (double x : {sum.total.above_reference, sum.total.below_reference, sum.total.not_brighter, sum.total.not_darker})
+      for (double x :
+           {sum.total.above_reference, sum.total.below_reference, sum.total.not_brighter, sum.total.not_darker})
         put(line, x);
       if (run) continue;
       put(line, sum.not_brighter);
@@ -118,7 +119,8 @@ std::optional<LedgerEntry> entry_of(std::string_view line) {
   entry.seeds = seeds_of(words);
   entry.draws = words.number<std::uint64_t>(words.next());
   entry.evidence_sum = account_of(words, kind == "run");
-  if (!words.good() || (kind != "run" && kind != "sum") || entry.seeds.empty() || entry.evidence_sum.empty()) return {};
+  if (!words.good() || (kind != "run" && kind != "sum") || entry.seeds.empty() || entry.evidence_sum.empty())
+    return {};
   return entry;
 }
 

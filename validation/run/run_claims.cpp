@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include <fairlight/render/parallel.h>
-#include <fairlight/validation/run/run_claims.h>
 #include <fairlight/validation/run/forecast.h>
 #include <fairlight/validation/run/registry.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 namespace {

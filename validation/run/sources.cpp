@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view claims_folder = "validation/claims/";
 
-bool of_library(const std::string& source) { 
+bool of_library(const std::string& source) {
   return source.starts_with("stats/") || source.starts_with("estimators/") || source.starts_with("render/");
 }
 
