@@ -34,7 +34,8 @@ struct VerifyOptions {
 
 int list(const std::vector<const Claim*>& claims) {
   for (const Claim* claim : claims) {
-    std::printf("%-34s %-10s %s\n", claim->name.c_str(), claim->kind.c_str(), claim->statement.c_str());
+    std::printf("%-34s %-10s %s (validation/claims/%s)\n", claim->name.c_str(), claim->kind.c_str(),
+                claim->statement.c_str(), claim->file.c_str());
   }
   return 0;
 }
