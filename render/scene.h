@@ -50,12 +50,12 @@ struct Luminaire {
 /// The power that leaves each face of a luminaire, pi times its area and the mean of its radiance's channels [W].
 double power_of(const Luminaire& light);
 
-/// A half line; `leaving` is the index of the surface that it starts on, or -1. The direction is a unit vector.
+/// A half line. The direction is a unit vector.
 template <class Real>
 struct Ray {
   Vec3<Real> origin;
   Vec3<Real> direction;
-  Real leaving;
+  Real origin_primitive;  ///< the index of the surface that it starts on, or -1
 };
 
 /// Where a ray first meets a surface; the index is -1 and the distance infinite where it meets none.
