@@ -22,11 +22,13 @@ TEST(Conformance, EveryClaimIsCertified) {
   const Conformance conformance{{.seed = fresh_seed(), .margin = margin()}, hardware_threads()};
   const auto outcomes = run_claims(select_claims({}), conformance);
   print_outcomes(stdout, outcomes, conformance);
+  EXPECT_EQ(outcomes.size(), registry().size());
   EXPECT_EQ(overall(outcomes), Verdict::certified);
   const auto resting_on = [&](Guarantee guarantee) {
     return std::ranges::count_if(outcomes, [=](const Outcome& o) { return o.finding.guarantee == guarantee; });
   };
   const auto exact = resting_on(Guarantee::exact);
+  EXPECT_GT(exact, 0);
   EXPECT_GE(exact, 9 * resting_on(Guarantee::asymptotic))
       << "at least nine tenths of the statistical claims are exact";
   for (const Outcome& o : outcomes) {

@@ -4,13 +4,14 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <support/run_seed.h>
 
 #include <fairlight/validation/along_packets.h>
 
 namespace fairlight {
 namespace {
 
-const Trial trial{"along_packets_test", 1, 1e-6, 0.01, 0.01};
+const Trial trial{"along_packets_test", testing::run_seed(), 1e-6, 0.01, 0.01};
 
 // 2u + 1, whose mean is 2 and whose range is [1, 3], off by so much in each arithmetic.
 auto ramp(double packets_bias, double double_bias) {
@@ -73,7 +74,7 @@ TEST(AlongPackets, AddsUpThePartsOfAChannel) {
     const Real x = Real(2) * source.next() + Real(1);
     return Rgb<Real>(x * rounded<Real>(1.005), x * rounded<Real>(lanes<Real> > 1 ? 1 : 1.001), x);
   };
-  const Trial wide{"along_packets_test", 1, 1e-6, 0.01, 0.1};
+  const Trial wide{"along_packets_test", testing::run_seed(), 1e-6, 0.01, 0.1};
   const Finding finding = found_independently(wide, {{2, 0, 4}, {2, 0, 4}, {2, 0, 4}}, draw);
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_LE(finding.interval.lo, 0.005);
@@ -99,7 +100,7 @@ TEST(AlongPackets, NamesADrawInDoubleThatIsOutOfItsRange) {
 TEST(AlongPackets, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   const auto draw = ramp(0, 0);
   const auto pays = [&](const Reference& reference, double margin) {
-    const Trial one{"along_packets_test", 1, 1e-6, 0.01, margin};
+    const Trial one{"along_packets_test", testing::run_seed(), 1e-6, 0.01, margin};
     return AlongPackets(one, {reference}, draw).pays().has_value();
   };
   EXPECT_TRUE(pays({2, 0, 4}, 1e-3));
@@ -121,14 +122,16 @@ TEST(AlongPackets, DoesNotPayWherePacketsDrawManyMoreNumbers) {
       for (int i = 0; i < (lanes < Real >> 1 ? more : 0); ++i) source.next();
       return ramp_of_the_first;
     };
-    return AlongPackets({"along_packets_test", 1, 1e-6, 0.01, 1e-3}, two, draw).pays().has_value();
+    return AlongPackets({"along_packets_test", testing::run_seed(), 1e-6, 0.01, 1e-3}, two, draw)
+        .pays()
+        .has_value();
   };
   EXPECT_TRUE(pays(0));
   EXPECT_FALSE(pays(40));
 }
 
 TEST(AlongPackets, TakesPointsWhereTheyVaryLess) {
-  const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 1e-3};
+  const Trial fine{"along_packets_test", testing::run_seed(), 1e-6, 0.01, 1e-3};
   EXPECT_GT(AlongPackets(fine, two, ramp(0, 0)).pays()->spread.count, 1u);
 }
 
@@ -143,7 +146,7 @@ TEST(AlongPackets, LeavesMoreToDifferencesWhereTheyAreDear) {
       using std::floor;
       return Real(Real(2) * (ramps - floor(ramps)) + Real(1) + (lanes<Real> > 1 ? Real(0) : apart));
     };
-    const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 2.5e-4};
+    const Trial fine{"along_packets_test", testing::run_seed(), 1e-6, 0.01, 2.5e-4};
     return AlongPackets(fine, {{2, -4, 8}}, draw).pays()->share;
   };
   EXPECT_EQ(share(0), PacketPlan::shares.front());
@@ -176,7 +179,7 @@ TEST(AlongPackets, LeavesTheWealthOfBothParts) {
 }
 
 TEST(AlongPackets, LeavesOneLadderAChannelAndFewDrawsInDouble) {
-  const Trial fine{"along_packets_test", 1, 1e-6, 0.01, 2e-3};
+  const Trial fine{"along_packets_test", testing::run_seed(), 1e-6, 0.01, 2e-3};
   for (const double bias : {0.0, 2e-3}) {  // of double alone
     Evidence evidence;
     Trial watched = fine;
