@@ -5,8 +5,9 @@
 
 namespace fairlight::testing {
 
-/// What estimators/ holds that is no component, and why: what has no law, no mean and no reflectance of its own that could be claimed. All
-/// else that its headers declare is one, so a new header is a component until a line here says what it is instead.
+/// What estimators/ holds that is no component, and why: what has no law, no mean and no
+/// reflectance of its own that could be claimed. All else that its headers declare is one, so a new
+/// header is a component until a line here says what it is instead.
 
 /// Headers, with all that is in them.
 inline const std::map<std::string, std::string> headers_without_components{

@@ -7,7 +7,8 @@
 
 namespace fairlight::testing {
 
-/// A seed that is drawn for every run of a test program, and printed once: what is random in a test is random in every run.
+/// A seed that is drawn for every run of a test program, and printed once: what is random in a test
+/// is random in every run.
 inline std::uint64_t run_seed() {
   static const std::uint64_t seed = [] {
     const std::uint64_t drawn = fresh_seed();

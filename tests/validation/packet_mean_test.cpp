@@ -22,7 +22,8 @@ auto ramps(float count, double bias = 0) {
   };
 }
 
-// What pilots choose, of 33 seeds most. A pilot of 64 draws knows a variance to a fifth, so one alone may err.
+// What pilots choose, of 33 seeds most. A pilot of 64 draws knows a variance to a fifth, so one
+// alone may err.
 template <class Draw>
 Spread mostly_cheapest(double margin, const std::vector<Reference>& references, const Draw& draw, double many) {
   std::map<std::pair<std::uint32_t, bool>, int> chosen;
@@ -79,8 +80,9 @@ TEST(PacketMean, CountsDrawsOneByOne) {
   EXPECT_EQ(by_set, 16 * by_one);
 }
 
-// One number in 1000 brings 5, which is out of the range; the mean of its replicate is not. A verdict on the mean takes more than a thousand
-// replicates of 64, of which one in 16 has such a number.
+// One number in 1000 brings 5, which is out of the range; the mean of its replicate is not. A
+// verdict on the mean takes more than a thousand replicates of 64, of which one in 16 has such a
+// number.
 TEST(PacketMean, FindsOnePointThatIsOutOfItsRange) {
   const auto rare = [](std::type_identity<Packet>, auto& source) {
     const Packet u = source.next();
@@ -92,8 +94,8 @@ TEST(PacketMean, FindsOnePointThatIsOutOfItsRange) {
   EXPECT_NE(finding.note.find("is 5 (one of those that it is the mean of"), std::string::npos) << finding.note;
 }
 
-// A path of some numbers, up to the first after the first that is below an eighth, brings 1 + 2u of its first in each channel; so many times as
-// much by a wrong one, and 9 by a rare one.
+// A path of some numbers, up to the first after the first that is below an eighth, brings 1 + 2u of
+// its first in each channel; so many times as much by a wrong one, and 9 by a rare one.
 struct Walk {
   float times = 1, rare = 0;
 

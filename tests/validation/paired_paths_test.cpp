@@ -102,7 +102,8 @@ TEST(WholeOfParts, IsTheLargestBiasOfTheWorstVerdict) {
   EXPECT_EQ(whole_of_parts({right, noisy}).bias, -0.3);
 }
 
-// A strategy against itself brings nothing, whatever the path: also what the camera sees of the light. Against another it does on most paths.
+// A strategy against itself brings nothing, whatever the path: also what the camera sees of the
+// light. Against another it does on most paths.
 TEST(DirectDifference, OfAStrategyAndItselfIsNothing) {
   const View view = built_in_scene("cornell-simple");
   RenderSettings settings;
