@@ -14,8 +14,9 @@
 
 namespace fairlight {
 
-/// The mean of a reflectance over cosines that are uniform in a range, which integrates a function of the cosine and nothing else: no
-/// direction, no lobe. The whole range is cut, as a fault at grazing angles would drown in what is reflected elsewhere.
+/// The mean of a reflectance over cosines that are uniform in a range, which integrates a function
+/// of the cosine and nothing else: no direction, no lobe. The whole range is cut, as a fault at
+/// grazing angles would drown in what is reflected elsewhere.
 
 struct CosineRange {
   const char* name;
@@ -26,7 +27,8 @@ inline constexpr std::array<CosineRange, 3> cosine_ranges{
 
 namespace detail {
 
-/// The mean of F, a function of the angle to the normal [rad], over uniform cosines: of F sin over the angles, by quadrature.
+/// The mean of F, a function of the angle to the normal [rad], over uniform cosines: of F sin over
+/// the angles, by quadrature.
 inline double mean_over_cosines(double low, double high, const auto& reflectance) {
   const auto integrand = [&](double angle, double) { return reflectance(angle) * std::sin(angle); };
   return integrate_rectangle(integrand, std::acos(high), std::acos(low), 0, 1).value / (high - low);
@@ -74,8 +76,9 @@ inline auto insulator_outside(const CosineRange& range) {
       draw};
 }
 
-/// From inside, over all cosines: all is reflected up to the critical one, and the rest of the way is by quadrature. And over the latter
-/// alone, from just below it, where a total reflection that begins elsewhere shows.
+/// From inside, over all cosines: all is reflected up to the critical one, and the rest of the way
+/// is by quadrature. And over the latter alone, from just below it, where a total reflection that
+/// begins elsewhere shows.
 inline auto insulator_inside(const std::string& name, bool refracted) {
   std::vector<Reference> references;
   std::array<double, 3> lows{};
