@@ -83,7 +83,8 @@ std::vector<std::size_t> ends_of_groups(std::span<const double> probabilities, d
     ends.push_back(i + 1);
     expected = 0;
   }
-  if (!ends.empty()) ends.back() = probabilities.size();  // the last group takes the remaining cells
+  // The last group takes the remaining cells.
+  if (!ends.empty()) ends.back() = probabilities.size();
   return ends;
 }
 

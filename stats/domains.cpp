@@ -14,7 +14,8 @@ constexpr double pi = std::numbers::pi;
 double turn(double x, double y) { return std::atan2(y, x) / (2 * pi) + 0.5; }
 // The middle of the eighth of a turn that holds the point, without a branch; NaN for a NaN.
 double eighth_of_turn(double x, double y) {
-  const double forward = std::copysign(1, y) * x, up = std::abs(y);  // rotated by half a turn if y < 0
+  // A point with y < 0 is rotated by half a turn.
+  const double forward = std::copysign(1, y) * x, up = std::abs(y);
   const int eighth = 4 * !std::signbit(y) + (up >= forward) + (forward <= 0) + (up <= -forward);
   return std::isnan(x + y) ? x + y : (eighth + 0.5) / 8;
 }

@@ -69,7 +69,8 @@ void Moments::merge(const Moments& other) {
   const double n = static_cast<double>(count_) + static_cast<double>(other.count_);
   const double a = static_cast<double>(count_) / n, b = static_cast<double>(other.count_) / n;
   const double d = other.mean_ - mean_;
-  const double spread = d * d * a * static_cast<double>(other.count_);  // between the two means, weighted
+  // The squared deviations of the two means from the common mean, weighted by the counts.
+  const double spread = d * d * a * static_cast<double>(other.count_);
   m4_ += other.m4_ + d * d * spread * (a * a - a * b + b * b) + 6 * d * d * (a * a * other.m2_ + b * b * m2_) +
          4 * d * (a * other.m3_ - b * m3_);
   m3_ += other.m3_ + d * spread * (a - b) + 3 * d * (a * other.m2_ - b * m2_);

@@ -74,7 +74,8 @@ VarianceRatio variance_ratio(const Moments& a, const Moments& b, double beta) {
     throw std::invalid_argument("a ratio of variances needs both of them positive");
   }
   const auto relative = [](const Moments& m) { return (m.kurtosis() - 1) / static_cast<double>(m.count()); };
-  const double error = std::sqrt(relative(a) + relative(b));  // standard error of the ratio's logarithm
+  // The standard error of the ratio's logarithm.
+  const double error = std::sqrt(relative(a) + relative(b));
   const double reach = std::exp(-boost::math::quantile(boost::math::normal(), beta) * error);
   const double ratio = a.variance() / b.variance();
   return {ratio, {ratio / reach, ratio * reach}};
