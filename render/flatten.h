@@ -1,7 +1,7 @@
 #pragma once
 
-/// Inlines every call inside a function. Code on packets makes hundreds of small calls, of which
-/// compilers leave some otherwise.
+/// Inlines every call inside a function. Code on packets makes hundreds of small calls, some of
+/// which a compiler would not inline by itself.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 // With a sanitizer's checks, one such function takes a quarter of an hour to compile.
 #define FAIRLIGHT_FLATTEN

@@ -92,7 +92,7 @@ struct Sphere {
     return {{line.twice_implicit, sqrt(line.depth) - line.slope}, line.twice_implicit};
   }
 
-  /// Positive where the sphere stands on the ray closer than `reach` [m]. Needs no final root, and
+  /// Positive where the sphere stands on the ray closer than `reach` [m]. Needs no square root, and
   /// one comparison serves all spheres. The ray crosses the sphere once if the levels at its two
   /// ends have opposite signs. It crosses twice if both are positive and the point nearest to the
   /// centre, where the slope changes sign, is between the ends and inside. If the origin is on the
@@ -111,10 +111,11 @@ struct Sphere {
   }
 
  private:
-  /// Along a ray, twice the level is twice_implicit + 2 slope t + k t^2. depth = slope^2 - k *
-  /// (twice the level) is the same at every t: 1 - (distance of the line from the centre /
-  /// radius)^2. For a sphere many radii away the two terms cancel: floats would see a sphere of 1
-  /// cm at 100 m as 3 cm wide. The gradient's component across the line does not cancel.
+  /// Along a ray, twice the level is twice_implicit + 2 slope t + k t^2. At every t, depth =
+  /// slope^2 - k * (twice the level) = 1 - (distance of the line from the centre / radius)^2. For a
+  /// sphere many radii away the two terms cancel: floats would see a sphere of 1 cm at 100 m as 3
+  /// cm wide. There (`far`) depth comes from the gradient's component across the line, which does
+  /// not cancel.
   /// Source   Haines, Guenther, Akenine-Moller 2019, "Precision improvements for ray/sphere
   /// intersection"
   struct Line {
