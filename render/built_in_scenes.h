@@ -8,30 +8,33 @@
 
 namespace fairlight {
 
-/// A built-in scene with the camera that its picture is taken with.
+/// A built-in scene and its camera.
 struct View {
   std::string name;
   Scene scene;
   Camera camera;
 };
 
-/// The scenes of the paper's renderer: a box of five walls, each a sphere of radius 1e5 seen from within.
-/// Source   the paper, 2.2; smallpt (Beason 2007), from which its renderer took them
+/// The scene of the paper's renderer: a box of five walls, each a sphere of radius 1e5 seen from
+/// inside.
+/// Source   the paper, 2.2; smallpt (Beason 2007), from which the paper's renderer took it
 View cornell_simple();
 View cornell_complex();
-/// The same box with a mirror, glass, rough metal and gloss, under a larger light of the same power.
+/// The same box with a mirror, glass, rough metal and gloss, under a larger light of equal power.
 View cornell_materials();
-/// The same box lit by 1000 small spheres of unequal power, of which every tenth is dark.
+/// The same box lit by 1000 small spheres of unequal power; every tenth emits nothing.
 View many_lights();
-/// The box that was built and measured, of rectangles. Source: see cornell_original.cpp
+/// The measured Cornell box, made of rectangles. Source: see cornell_original.cpp
 View cornell_original();
-/// A row of balls in a hallway, through a lens that is focused on the third. Source: the paper, Figs. 6 and 7
+/// A row of spheres in a hallway, through a lens that is focused on the third. Source: the paper,
+/// Figs. 6 and 7
 View hallway();
 
 /// The names of the built-in scenes.
 std::vector<std::string> scene_names();
 
-/// A built-in scene by name. Throws std::invalid_argument, naming the nearest, for any other.
+/// A built-in scene by name. Throws std::invalid_argument, with the nearest names, for an unknown
+/// name.
 View built_in_scene(const std::string& name);
 
 }  // namespace fairlight

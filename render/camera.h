@@ -13,32 +13,33 @@
 
 namespace fairlight {
 
-/// The height of the image plane at distance 1, for a vertical field of view in degrees. Throws std::invalid_argument
-/// unless it is in (0, 180).
+/// The height of the image plane at distance 1, for a vertical field of view in degrees. Throws
+/// std::invalid_argument unless the field of view is in (0, 180).
 inline double image_height_of(double field_of_view) {
   if (!(field_of_view > 0 && field_of_view < 180))
     throw std::invalid_argument("the field of view must be between 0 and 180 degrees (the image is a plane)");
   return 2 * std::tan(field_of_view * std::numbers::pi / 360);
 }
 
-/// Where a camera stands, what it looks at, and through what: a pinhole, or a lens.
+/// The position, direction and optics of a camera, which is a pinhole or a thin lens.
 struct CameraSettings {
   Vec3<double> eye{0, 0, 0};                 ///< [m]
   Vec3<double> look{0, 0, -1};               ///< the direction of the axis, of any length
-  Vec3<double> up{0, 1, 0};                  ///< any direction but the axis
+  Vec3<double> up{0, 1, 0};                  ///< any direction not parallel to the axis
   double image_height = 1;                   ///< of the image plane at distance 1
-  double start = 0;                          ///< rays start on the plane at this distance along the axis [m]
-  double aperture_radius = 0;                ///< of the lens [m]; 0 for a pinhole
-  double focus_distance = infinity<double>;  ///< what is seen sharp, along the axis [m]
-  int blades = 0;                            ///< of the aperture; 0 for a round one
-  double blade_rotation = 0;                 ///< of its first corner, from the right, downwards [rad]
+  double start = 0;                          ///< distance of the plane on which rays start [m]
+  double aperture_radius = 0;                ///< radius of the lens [m]; 0 for a pinhole
+  double focus_distance = infinity<double>;  ///< distance of the plane in focus [m]
+  int blades = 0;                            ///< blades of the aperture; 0 for a round one
+  double blade_rotation = 0;                 ///< its first corner, clockwise from the right [rad]
 };
 
-/// A pinhole or a thin lens. Images are upright, pixel (0, 0) at the top left, pixels square.
-/// Source: PBR 4ed, 5.2.
+/// A pinhole or thin-lens camera. Images are upright, pixel (0, 0) is at the top left, pixels are
+/// square.
+/// Source   PBR 4ed, 5.2
 class Camera {
  public:
-  /// Throws std::invalid_argument for settings that have no picture.
+  /// Throws std::invalid_argument for settings outside their domain.
   explicit Camera(const CameraSettings& settings)
       : settings_(settings), look_(settings.look.normalized()), right_(look_.cross(settings.up.normalized())) {
     if (!all_finite(right_) || right_.norm() <= 1e-6)
@@ -59,8 +60,9 @@ class Camera {
     down_ = look_.cross(right_);
   }
 
-  /// Throws std::invalid_argument where rays have no direction in the arithmetic of `Real`, double or float, as it cannot hold
-  /// the squares of what they are made of.
+  /// Throws std::invalid_argument if the lengths or ratios of the settings are too large or too
+  /// small for their squares to be held by `Real`, double or float. Rays would then have no
+  /// direction.
   template <class Real>
   void require_rays() const {
     constexpr bool in_double = std::is_same_v<Real, double>;
@@ -77,8 +79,8 @@ class Camera {
                    : "floats (give lengths and ratios between 1e-18 and 1e18, or --real double)"));
   }
 
-  /// How far a point is from where rays start [m], of an image so many times as wide and as high as an image_height. With an aperture of
-  /// blades no more.
+  /// The distance [m] from a point to the set where rays start, for an image of `width` x `height`
+  /// image_heights. With a bladed aperture it is a lower bound.
   double distance_to_starts(const Vec3<double>& point, double width, double height) const {
     const auto& s = settings_;
     const Vec3<double> way = point - s.eye;
@@ -93,8 +95,8 @@ class Camera {
   const CameraSettings& settings() const { return settings_; }
   bool has_lens() const { return settings_.aperture_radius != 0; }
 
-  /// The ray of a pinhole through the point (x, y) of the image, in pixels from the top left corner, of an image width x
-  /// height.
+  /// The ray of a pinhole camera through the point (x, y), in pixels from the top left corner of a
+  /// width x height image.
   template <class Real>
   Ray<Real> ray(Real x, Real y, int width, int height) const {
     const Vec3<Real> direction =
@@ -102,8 +104,8 @@ class Camera {
     return starting(in<Real>(settings_.eye), direction);
   }
 
-  /// The ray through the same point and a point of the lens, which takes two numbers of the source; without a lens, the
-  /// pinhole's, which takes none.
+  /// The ray through the same point of the image and a random point of the lens. Takes two numbers
+  /// of the source; a pinhole takes none.
   template <class Real, UniformSource<Real> Source>
   Ray<Real> ray(Real x, Real y, int width, int height, Source& source) const {
     if (!has_lens()) return ray(x, y, width, height);
@@ -119,7 +121,7 @@ class Camera {
     return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
   }
 
-  // The place on the image, from its middle, in image heights.
+  // The position on the image, from its middle, in units of the image's height.
   template <class Real>
   static Real across(Real x, int width, int height) {
     return (x - Real(0.5) * rounded<Real>(width)) / rounded<Real>(height);
@@ -138,7 +140,7 @@ class Camera {
     return ThinLens(focus, aperture).ray(pinhole, u);
   }
 
-  // From the lens's frame; right_ and down_ are as long as the image is high.
+  // From the lens's frame to the world. right_ and down_ are as long as the image is high.
   template <class Real>
   Vec3<Real> to_world(const Vec3<Real>& local) const {
     const Real scale = rounded<Real>(settings_.image_height);
@@ -146,7 +148,7 @@ class Camera {
            in<Real>(down_) * (local.y() / scale);
   }
 
-  // From a point of the lens along a direction that goes 1 along the axis.
+  // A ray from a point of the lens; `direction` has the component 1 along the axis.
   template <class Real>
   Ray<Real> starting(const Vec3<Real>& origin, const Vec3<Real>& direction) const {
     return {origin + direction * rounded<Real>(settings_.start), direction * Real(Real(1) / direction.norm()),
@@ -157,8 +159,9 @@ class Camera {
   Vec3<double> look_, right_, down_;
 };
 
-/// The ray of one sample of a pixel, whose middle is that many pixels from the image's top left corner: through a place that
-/// the filter draws about it, and a point of the lens. Takes two numbers of the source, and two more when there is a lens.
+/// The ray of one sample of a pixel: through a point that the filter samples around `middle`, the
+/// pixel's middle in pixels from the top left corner, and a point of the lens. Takes two numbers of
+/// the source, and two more for a lens.
 template <class Filter, UniformSource<typename Filter::Scalar> Source>
 Ray<typename Filter::Scalar> pixel_ray(const Camera& camera, const Filter& filter,
                                        const Vec2<typename Filter::Scalar>& middle, int width, int height,

@@ -6,7 +6,8 @@
 
 namespace fairlight {
 
-/// Every built-in scene in its own strategies, three in a row, each `size` pixels wide and high, from `samples` a pixel.
+/// Renders every built-in scene with its own strategies, three in a row, each `size` x `size`
+/// pixels with `samples` samples per pixel.
 Film contact_sheet(int size, std::uint64_t samples, std::uint64_t seed, int threads, const Progress& progress);
 
 }  // namespace fairlight

@@ -9,7 +9,7 @@ const Rgb<double> blue(.25, .25, .75);
 const Rgb<double> grey(.75, .75, .75);
 const Rgb<double> white(.799, .799, .799);
 
-// The box without its front: x from 1 to 99, y from 0 to 81.6, z from 0 towards the camera.
+// The box, open at the front: x from 1 to 99, y from 0 to 81.6, z from 0 towards the camera.
 void add_walls(Scene& scene) {
   constexpr double radius = 1e5;
   scene.add_wall({1, 40.8, 81.6}, {-1, 0, 0}, radius, red, black);

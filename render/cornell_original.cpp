@@ -2,10 +2,12 @@
 
 namespace fairlight {
 
-/// The Cornell box as it was measured, in millimetres. Source: Cornell University Program of Computer Graphics, "Cornell Box Data"
-/// (graphics.cornell.edu/online/box/data.html); Goral, Torrance, Greenberg, Battaile 1984. What was measured is not quite
-/// rectangular, by up to 6 mm at the walls and 1 mm at the blocks; here it is. The measured spectra are given as colours, as
-/// usual: white (.725, .71, .68), red (.63, .065, .05), green (.14, .45, .091), the light (17, 12, 4).
+/// The measured Cornell box, in millimetres. The measured walls deviate from rectangles by up to 6
+/// mm and the blocks by up to 1 mm; here they are rectangles. The measured spectra are replaced by
+/// the usual colours: white (.725, .71, .68), red (.63, .065, .05), green (.14, .45, .091), light
+/// (17, 12, 4).
+/// Source   Cornell University Program of Computer Graphics, "Cornell Box Data"
+/// (graphics.cornell.edu/online/box/data.html); Goral, Torrance, Greenberg, Battaile 1984
 View cornell_original() {
   const Rgb<double> white(.725, .71, .68);
   const Rgb<double> red(.63, .065, .05);
@@ -18,10 +20,10 @@ View cornell_original() {
   scene.add_rectangle({0, 0, depth}, {width, 0, 0}, {0, height, 0}, white, black);
   scene.add_rectangle({0, 0, 0}, {0, 0, depth}, {0, height, 0}, green, black);
   scene.add_rectangle({width, 0, 0}, {0, 0, depth}, {0, height, 0}, red, black);
-  // A tenth of a millimetre under the ceiling.
+  // The light is 0.1 mm below the ceiling.
   scene.add_rectangle({213, height - 0.1, 227}, {130, 0, 0}, {0, 0, 105}, black, Rgb<double>(17, 12, 4));
 
-  // An upright block on the floor, by the middle of its top and the edges of that.
+  // Adds an upright block on the floor, by the middle and the edges of its top.
   const auto add_block = [&](const Vec3<double>& top, const Vec3<double>& x, const Vec3<double>& z) {
     const Vec3<double> up(0, top.y(), 0);
     const Vec3<double> corner = top - (x + z) / 2;

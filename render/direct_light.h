@@ -10,9 +10,10 @@
 
 namespace fairlight {
 
-/// `Scene` below is a TracedScene, or anything that answers as one does.
+/// Below, `Scene` is a TracedScene or a type with the same interface.
 
-/// A point on a surface that light is reflected at: `normal` is the unit normal on the side where it is reflected.
+/// A point on a surface at which a path reflects. `normal` is the unit normal on the reflecting
+/// side.
 template <class Real>
 struct Vertex {
   Vec3<Real> position;
@@ -20,15 +21,15 @@ struct Vertex {
   Real surface;
 };
 
-/// How points of luminaires are sampled: those of spheres by one strategy, those of rectangles by another.
-/// Formula  that of the luminaire's own strategy
+/// Samples points of luminaires: spheres by one strategy, rectangles by another.
+/// Formula  that of the luminaire's strategy
 /// Measure  solid angle [1/sr]
 /// Domain   that of the strategies
 /// Random   u in [0,1)^2
 /// Source   the strategies'
 template <template <class> class SphereSampling, template <class> class RectangleSampling = RectangleByArea>
 struct PointsBy {
-  /// A direction towards luminaire i; `on_it` says that `from` lies on its surface.
+  /// Samples a direction towards luminaire i; `on_it` marks lanes where `from` lies on its surface.
   template <class Real>
   static LightSample<Real> sample(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>& on_it,
                                   const Vec3<Real>& from, const Vec2<Real>& u) {
@@ -41,7 +42,7 @@ struct PointsBy {
             Density<SolidAngle, Real>(select(is_flat, flat.density.value(), round.density.value()))};
   }
 
-  /// The density of that direction.
+  /// The density with which `sample` draws a direction.
   template <class Real>
   static Density<SolidAngle, Real> pdf(const LightTable<Real>& lights, const Index<Real>& i,
                                        const Mask<Real>& on_it, const Vec3<Real>& from,
@@ -54,8 +55,8 @@ struct PointsBy {
   }
 };
 
-/// All to the shadow rays: what a bounce finds counts nothing, unless it has no density, as no shadow ray can find it.
-/// Source   the paper, A.2
+/// Shadow rays carry all direct light. Emission that a bounce hits counts only after a delta
+/// bounce, whose direction no shadow ray can sample.
 struct NextEventOnly {
   static constexpr bool next_event_only() { return true; }
   template <class Measure, class Real>
@@ -64,24 +65,19 @@ struct NextEventOnly {
   }
 };
 
-/// Shared with the bounces, by a heuristic of multiple importance sampling.
-/// Source   Veach and Guibas 1995
+/// Shadow rays and bounces share direct light by a heuristic of multiple importance sampling.
 template <class Heuristic = BalanceHeuristic>
 struct MisWeighted : Heuristic {
   static constexpr bool next_event_only() { return false; }
 };
 
-/// Radiance reflected at a vertex that comes straight from the luminaires, by a shadow ray to a point of each of them or
-/// of one of them: `Luminaires` says which (AllLights, UniformLightSampler, LightSampler), `Points` where on it, and `Sharing` what it counts where a bounce
-/// may find the same point.
-/// Formula  sum over L of  w f Le cos / p_w, where the point is seen; else 0
+/// Direct light reflected at a vertex, by shadow rays. `Luminaires` selects one or all (AllLights,
+/// UniformLightSampler, LightSampler), `Points` a point, `Sharing` the weight against bounces.
+/// Formula  sum over L of  w f Le cos / p_w  for visible points
 /// Measure  solid angle, by Points
-/// Domain   vertices of a path that started on the lit side of all spheres (see LitSide). Luminaires that emit, from without, from
-///          within, or from their own surface; 0 where none does. Points must have a density wherever a luminaire is seen: what
-///          they leave out shines for no one
+/// Domain   vertices of paths that start on the lit side of all spheres; see docs/estimators.md
 /// Random   two dimensions per shadow ray, and those of the choice
-/// Bound    per luminaire, max(Le f cos / p_w): by area at most A max(Le f) / d^2 with d the smallest distance from the
-///          vertex to the luminaire, by cone S max(Le f) with S the cone's solid angle
+/// Bound    per luminaire max(Le f cos / p_w): by area A max(Le f) / d^2, by cone S max(Le f)
 /// Source   Shirley, Wang, Zimmerman 1996; the paper, 3.2 and A.1
 template <class Luminaires, class Points = PointsBy<SphereByArea>, class Sharing = NextEventOnly>
 class DirectLight {
@@ -89,8 +85,8 @@ class DirectLight {
   explicit DirectLight(Luminaires luminaires = Luminaires(), Points points = Points(), Sharing sharing = Sharing())
       : luminaires_(std::move(luminaires)), points_(std::move(points)), sharing_(std::move(sharing)) {}
 
-  /// What emission counts that a bounce of this density has found along the ray. All of it where the path starts, and where
-  /// the last bounce had no density.
+  /// The weight of emission that a bounce of this density hits. 1 at the start of a path and after
+  /// a delta bounce (density 0).
   template <class Real, class Scene>
   Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
     const Mask<Real> single = density == Real(0);
@@ -104,13 +100,14 @@ class DirectLight {
     const Real chosen = seen_from(lights, ray.origin).template probability<Real>(lights.size(), i);
     const Density<SolidAngle, Real> by_bounce(select(found, density, Real(1)));
     const Real shared = sharing_.weight(std::array{chosen, Real(1)}, std::array{by_light, by_bounce}, 1);
-    // A luminaire that is met where its own sampling does not reach is met beyond its rim, by rounding, and as much of it is missed
-    // within: shadow rays count all of that, so here it counts nothing. Small lights far away have wide rims.
+    // Rounding can put a hit beyond the rim of a luminaire, outside the support of its light
+    // sampler. Such a hit gets weight 0: rounding misses as much inside the rim, and shadow rays
+    // count all of that. Small lights far away have wide rims.
     const Mask<Real> beyond = found && by_light.value() == Real(0) && chosen > Real(0);
     return select(found, select(beyond, Real(0), shared), Real(1));
   }
 
-  /// Whether a bounce that has a density need not look for light.
+  /// Whether only shadow rays look for light, except after a delta bounce.
   bool next_event_only() const { return sharing_.next_event_only(); }
 
   template <class Real, class Scene, UniformSource<Real> Source, class Bsdf>
@@ -128,7 +125,7 @@ class DirectLight {
   }
 
  private:
-  // How one of the luminaires is chosen at a point.
+  // The choice of luminaires as seen from a point.
   template <class Real>
   decltype(auto) seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) const {
     if constexpr (requires { luminaires_.seen_from(lights, point); }) {
@@ -138,7 +135,8 @@ class DirectLight {
     }
   }
 
-  // A luminaire on which the vertex itself lies shows its inner face to it: where it reflects outwards, nothing.
+  // The direct light from one luminaire. A vertex on the luminaire itself sees its inner side, so
+  // it receives nothing where it reflects outwards.
   template <class Real, class Scene, class Source, class Bsdf>
   Rgb<Real> from(const Index<Real>& light, const Real& chosen, const Scene& scene, const Vertex<Real>& vertex,
                  const Bsdf& bsdf, Source& source, const Mask<Real>& asked) const {
@@ -165,7 +163,7 @@ class DirectLight {
   Sharing sharing_;
 };
 
-/// One of a scene's luminaires by its power.
+/// Samples one luminaire of a scene with probability proportional to its power.
 template <class Real = double>
 LightSampler<PowerChoice<Real>> one_by_power(const Scene& scene) {
   std::vector<double> powers;
@@ -173,7 +171,8 @@ LightSampler<PowerChoice<Real>> one_by_power(const Scene& scene) {
   return LightSampler(PowerChoice<Real>(powers));
 }
 
-/// One of a scene's luminaires by what it may bring to the vertex: see LightTable::contribution.
+/// Samples one luminaire of a scene by its approximate contribution to the vertex: see
+/// LightTable::contribution.
 struct ContributionLightSampler {
   template <class Real>
   static auto seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) {
@@ -182,8 +181,7 @@ struct ContributionLightSampler {
   }
 };
 
-/// No shadow rays: light is found by the bounces alone, and emission is counted at every depth.
-/// Source   Kajiya 1986
+/// No shadow rays: only bounces find light, and emission counts at every depth.
 struct NoDirectLight {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>&, const Real& /*surface*/, const Real& /*density*/) {

@@ -26,7 +26,7 @@ namespace fairlight {
 namespace {
 
 constexpr std::array<const char*, 3> channel_names{"R", "G", "B"};
-constexpr std::size_t halves = 2 * ExactMoments::word_count;  // 32-bit halves of a channel's state
+constexpr std::size_t halves = 2 * ExactMoments::word_count;  // 32-bit words of a channel's state
 
 class ExrStream : public Imf::OStream {
  public:
@@ -39,7 +39,7 @@ class ExrStream : public Imf::OStream {
   AtomicFile& file_;
 };
 
-// One row of one channel at a time: planes of a row, in the order of `names`.
+// Memory for one row of each channel, in the order of `names`.
 template <class Value>
 struct Row {
   std::vector<std::string> names;
@@ -49,7 +49,7 @@ struct Row {
     planes.assign(names.size(), std::vector<Value>(static_cast<std::size_t>(width)));
   }
 
-  // A y stride of 0 makes every row of the file go through the same memory.
+  // With a y stride of 0, every row of the file uses the same memory.
   Imf::FrameBuffer& insert(Imf::FrameBuffer& buffer, Imf::PixelType type) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       buffer.insert(names[i], Imf::Slice(type, reinterpret_cast<char*>(planes[i].data()), sizeof(Value), 0));
@@ -95,7 +95,7 @@ std::vector<Imf::Header> headers(const Picture& picture) {
   return {light, sums};
 }
 
-// Of a pixel: the film counts sets.
+// The number of samples of a pixel; the film counts sets of `points` samples.
 std::uint32_t sample_count(const Film::Pixel& pixel, std::uint32_t points) {
   if (pixel[0].count() > std::numeric_limits<std::uint32_t>::max() / points) {
     throw std::runtime_error("a pixel holds more than 2^32 - 1 samples (the EXR's samples layer cannot say so)");
@@ -160,7 +160,8 @@ void read_sums(Imf::MultiPartInputFile& file, Film& film) {
   }
 }
 
-// Of a file that fairlight wrote and that cannot be used: it follows the file's name.
+// The error for a file that fairlight wrote but that is unusable. The message follows the file's
+// name.
 struct Unusable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -180,7 +181,7 @@ bool has_sums(const Imf::Header& header, const RenderSettings& settings) {
   return found == names && header.dataWindow() == Imath::Box2i({0, 0}, {settings.width - 1, settings.height - 1});
 }
 
-// What the ledger says was sampled is what every pixel has counted.
+// Throws unless every pixel has as many samples as the ledger lists.
 void check_counts(const Picture& picture) {
   const std::uint64_t total = picture.samples.total();
   const std::uint32_t points = SampleSets(picture.settings.points).size();
@@ -232,8 +233,7 @@ void write_exr(const std::string& path, int width, int height, const std::vector
       throw std::invalid_argument("the plane \"" + plane.name + "\" must have one value a pixel");
     }
     header.channels().insert(plane.name, Imf::Channel(Imf::FLOAT));
-    auto* first =
-        const_cast<float*>(plane.values.data());  // a slice is read from here, though its type could be written to
+    auto* first = const_cast<float*>(plane.values.data());  // OpenEXR only reads from this slice
     buffer.insert(plane.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), sizeof(float), row));
   }
   AtomicFile output(path);

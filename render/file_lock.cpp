@@ -42,8 +42,8 @@ OutputLock::OutputLock(const std::string& path) : lock_path_(resolved_output(pat
   }
 }
 
-// Whoever had the lock before removes its file, perhaps between the two calls that open and lock it here: such a lock
-// holds nobody off, and another is taken.
+// Returns false if the lock must be taken again: the previous owner removes its lock file, perhaps
+// after it is opened here and before it is locked, and a lock on a removed file excludes nobody.
 bool OutputLock::take(const std::string& path) {
   FileLock file(lock_path_, O_RDWR | O_CREAT | O_NOFOLLOW, "write");
   if (!file.lock(LOCK_EX | LOCK_NB))
@@ -60,6 +60,6 @@ bool OutputLock::take(const std::string& path) {
   return true;
 }
 
-OutputLock::~OutputLock() { unlink(lock_path_.c_str()); }  // while it is locked
+OutputLock::~OutputLock() { unlink(lock_path_.c_str()); }  // still locked
 
 }  // namespace fairlight

@@ -5,17 +5,18 @@
 
 namespace fairlight {
 
-/// An open file that can be locked: against other processes, and against other FileLocks of this one. The system takes a
-/// lock away with the process that has it, however that ends, so that none is left behind.
+/// An open file that can be locked against other processes and against other FileLocks of this one.
+/// The system releases the lock when the process ends, however it ends.
 class FileLock {
  public:
-  /// Opens the file with the flags of open(2). Throws std::runtime_error, saying what could not be done: "write", "read".
+  /// Opens the file with the flags of open(2). Throws std::runtime_error with `to_do`, the action
+  /// that failed: "write" or "read".
   FileLock(const std::string& path, int flags, const char* to_do);
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&&) = delete;
   ~FileLock();
 
-  /// Locks as flock(2) does. False where another has a lock, with LOCK_NB; else it waits for that to end.
+  /// Locks as flock(2) does. Waits while another has the lock; with LOCK_NB, returns false instead.
   bool lock(int kind);
 
   int descriptor() const { return file_; }
@@ -28,12 +29,12 @@ class FileLock {
   int file_;
 };
 
-/// Says that this run alone writes a file, from before it reads what the file replaces until that is replaced. What is
-/// locked is an empty file beside it, F.lock, and not the file itself, as that becomes another one when it is replaced.
+/// Makes this run the only writer of a file F, from before it reads the old F until it has replaced
+/// it. Locks an empty file F.lock beside F, as F itself becomes another file when it is replaced.
 class OutputLock {
  public:
-  /// Follows a symbolic link as AtomicFile does. Throws std::runtime_error when another run has the lock, or the folder
-  /// cannot be written.
+  /// Follows a symbolic link as AtomicFile does. Throws std::runtime_error when another run has the
+  /// lock or the folder cannot be written.
   explicit OutputLock(const std::string& path);
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;

@@ -10,8 +10,9 @@
 
 namespace fairlight {
 
-/// Per pixel and channel, the exact moments of its samples [W/(sr m^2)]. Any split of a pixel's samples into parts,
-/// merged in any order, gives the same film to the bit: threads, resumes, shards and machines all rest on it.
+/// The exact moments of the samples of each pixel and channel [W/(sr m^2)]. Parts of a pixel's
+/// samples give the same film to the bit in whatever way they are split and merged: over threads,
+/// resumed renders, shards or machines.
 class Film {
  public:
   using Pixel = std::array<ExactMoments, 3>;
@@ -25,11 +26,12 @@ class Film {
   Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
   const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
 
-  /// Adds one sample to a pixel. Throws std::domain_error, naming the pixel, when a channel is negative, not a
-  /// number, or 2^64 and more: it is never repaired.
+  /// Adds one sample to a pixel. Throws std::domain_error, with the pixel, when a channel is
+  /// negative, NaN, or 2^64 or more.
   void add(int x, int y, const Rgb<double>& sample);
 
-  /// Adds samples to a pixel, one list a channel. Throws as above; channels may then have been added, but no part of one.
+  /// Adds samples to a pixel, one list per channel. Throws as above; other channels may then have
+  /// been added, each wholly or not at all.
   void add(int x, int y, const std::array<std::span<const float>, 3>& samples) { add_all(x, y, samples); }
   void add(int x, int y, const std::array<std::span<const double>, 3>& samples) { add_all(x, y, samples); }
 
@@ -42,7 +44,7 @@ class Film {
   bool operator==(const Film&) const = default;
 
  private:
-  // Here, so that floats are summed by the instructions of whoever has them.
+  // Inline, so that it is compiled for the caller's instruction set.
   template <class Samples>
   void add_all(int x, int y, const Samples& samples) {
     try {

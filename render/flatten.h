@@ -1,8 +1,10 @@
 #pragma once
 
-/// Of a function that calls hundreds of small ones about packets, of which a compiler leaves some uninlined: all of them are.
+/// Inlines every call inside a function. Code on packets makes hundreds of small calls, some of
+/// which a compiler would not inline by itself.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define FAIRLIGHT_FLATTEN  // a sanitizer's checks, all in one function, take a compiler a quarter of an hour
+// With a sanitizer's checks, one such function takes a quarter of an hour to compile.
+#define FAIRLIGHT_FLATTEN
 #else
 #define FAIRLIGHT_FLATTEN [[gnu::flatten]]
 #endif

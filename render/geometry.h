@@ -8,11 +8,11 @@
 
 namespace fairlight {
 
-/// Three numbers a row, such as the channels of a colour.
+/// A table with three numbers per row, such as the channels of a colour.
 template <class Real>
 class Table3 {
  public:
-  /// of(i) gives row i of n.
+  /// of(i) returns row i of n.
   Table3(std::size_t n, const auto& of) {
     for (int c = 0; c < 3; ++c) {
       std::vector<double> column;
@@ -26,7 +26,7 @@ class Table3 {
   std::array<Table<Real>, 3> columns_;
 };
 
-/// The same for one number a row.
+/// A table with one number per row.
 template <class Real>
 Table<Real> table_of(std::size_t n, const auto& of) {
   std::vector<double> column;
@@ -34,8 +34,9 @@ Table<Real> table_of(std::size_t n, const auto& of) {
   return Table<Real>(column);
 }
 
-/// The surfaces of a scene in one arithmetic: every ray is tested against one surface after the other, all lanes at once. Of a
-/// sphere with all light on one side only that side is looked at, which is half the work: see LitSide.
+/// The surfaces of a scene in one arithmetic. Tests a packet of rays against one surface after
+/// another. For a sphere with all light on one side it computes one root only, which is half the
+/// work: see LitSide.
 template <class Real>
 class Geometry {
  public:
@@ -63,7 +64,8 @@ class Geometry {
     }
   }
 
-  /// The first surface that a ray meets. A path that starts where no light is, away from all surfaces, meets none.
+  /// The first surface that a ray hits. A path that starts on an unlit side, and not on a surface,
+  /// hits none.
   FAIRLIGHT_FLATTEN Hit<Real> intersect(const Ray<Real>& ray) const {
     using std::max;
     Real dark(0);
@@ -88,8 +90,9 @@ class Geometry {
             select(unlit, Real(-1), nearest.surface)};
   }
 
-  /// Whether nothing but the luminaire `target` stands on a ray from a vertex of a lit path closer than `distance` [m], where a
-  /// point of the target is. It is convex and the point faces the origin, so it does not stand in its own way.
+  /// Whether nothing stands on a ray closer than `distance` [m], at which a point of the luminaire
+  /// `target` lies. The ray starts at a vertex of a path on the lit side. The target is skipped: it
+  /// is convex and the point faces the origin, so it cannot occlude itself.
   FAIRLIGHT_FLATTEN Mask<Real> visible(const Ray<Real>& ray, Real distance, Real target) const {
     using std::max;
     Real most(0);
@@ -102,8 +105,8 @@ class Geometry {
     return most <= Real(0);
   }
 
-  /// The outward unit normal at a point of a surface. A ray that comes from far away, where floats are sparse, ends some way off
-  /// it, and the gradient there is not as long as 1.
+  /// The outward unit normal at a point of a surface. A hit far from the ray's origin is off the
+  /// surface by the rounding of floats, and the gradient there does not have length 1.
   FAIRLIGHT_FLATTEN Vec3<Real> normal_at(const Index<Real>& surface, const Vec3<Real>& position) const {
     const Sphere<Real> shape{anchors_(surface), normals_(surface), curvatures_(surface)};
     const Vec3<Real> gradient = shape.normal_at(position);

@@ -18,7 +18,8 @@ TileRenderer* make_renderer(const TileSettings& settings) {
   return new TileTracer<Real>(settings);
 }
 
-// A level holds all that code compiled for it may use. Clang knows the names of levels only from version 18 on.
+// Tests for the whole x86-64 level, as code compiled for it may use all of its instructions. Clang
+// knows the names of the levels from version 18 on.
 #if defined(__x86_64__) && !defined(__AVX__)
 bool has_level_3() {
 #if defined(__clang__)
@@ -39,7 +40,7 @@ bool has_level_4() {
 }  // namespace
 
 const std::vector<InstructionSet>& instruction_sets() {
-#if defined(__AVX__)  // all of the program is built for one machine, as by the preset native
+#if defined(__AVX__)  // the whole program is built for one machine, as by the preset native
   static const std::vector<InstructionSet> sets{{"native", true, lanes<Packet>, make_renderer<Packet>}};
 #elif defined(__x86_64__)
   static const std::vector<InstructionSet> sets{{"sse2", true, 4, make_renderer<Packet>},

@@ -8,25 +8,26 @@
 
 namespace fairlight {
 
-/// One of the instruction sets that the packet renderer is built for. Wider packets do more at once; a picture of packets is
-/// the same to the bit for any machine and any number of threads, given the instruction set.
+/// An instruction set that the packet renderer is compiled for. For one instruction set, a picture
+/// is the same to the bit on every machine and with any number of threads.
 struct InstructionSet {
-  std::string name;   ///< sse2 | avx2 | avx512, or neon, or native
+  std::string name;   ///< sse2, avx2, avx512, neon, or native
   bool runs_here;     ///< whether this machine has it
-  std::size_t lanes;  ///< of a packet
+  std::size_t lanes;  ///< lanes of a packet
   TileRenderer* (*make)(const TileSettings&);
 };
 
-/// All that this program is built for, the widest last.
+/// All instruction sets that this program is built for, the widest last.
 const std::vector<InstructionSet>& instruction_sets();
 
-/// The one of that name; the widest that runs here for an empty name. Throws std::invalid_argument, saying which there are, for another
-/// name or for a set that this machine does not have.
+/// The instruction set of that name; for an empty name, the widest that runs here. Throws
+/// std::invalid_argument, with a list of the sets that run here, for an unknown name, and for a set
+/// that this machine does not have.
 const InstructionSet& choose_instructions(const std::string& name,
                                           const std::vector<InstructionSet>& sets = instruction_sets());
 
-/// A renderer of tiles in the arithmetic that the settings name: `packet` by these instructions, or `double`. Throws
-/// std::invalid_argument for another.
+/// A tile renderer in the arithmetic `real`: "packet", with these instructions, or "double". Throws
+/// std::invalid_argument for another name.
 std::unique_ptr<TileRenderer> tile_renderer(const std::string& real, const InstructionSet& instructions,
                                             const TileSettings& settings);
 

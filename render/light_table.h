@@ -29,11 +29,11 @@ class LightTable {
   bool has_rectangles() const { return rectangles_; }
 
   Mask<Real> is_rectangle(const Index<Real>& i) const { return shapes_(i) == Real(1); }
-  /// In lanes where it is a rectangle, the sphere about it.
+  /// Luminaire i as a sphere; for a rectangle, its bounding sphere.
   SphereLight<Real> sphere(const Index<Real>& i, const Mask<Real>& on_surface) const {
     return {centres_(i), radii_(i), on_surface};
   }
-  /// In lanes where it is a sphere, some rectangle.
+  /// Luminaire i as a rectangle; for a sphere, an arbitrary one.
   RectangleLight<Real> rectangle(const Index<Real>& i, const Mask<Real>& on_surface) const {
     const Vec3<Real> x = edges_x_(i), y = edges_y_(i);
     return {centres_(i) - (x + y) * Real(0.5), x, y, on_surface};
@@ -41,11 +41,12 @@ class LightTable {
   Rgb<Real> emission(const Index<Real>& i) const { return radiances_(i).array(); }
   /// The index of its surface in the scene.
   Real surface(const Index<Real>& i) const { return surfaces_(i); }
-  /// The luminaire that a surface is, or -1.
+  /// The index of the luminaire that a surface is, or -1.
   Real index(const Index<Real>& surface) const { return indices_(surface); }
 
-  /// What light i may bring to a point, but for a factor: its power over the square of its distance, which counts as at least
-  /// its radius. Positive wherever it brings anything.
+  /// An estimate, up to a constant factor, of what luminaire i contributes to a point: its power
+  /// over the squared distance, which is at least its squared radius. Positive wherever the
+  /// luminaire contributes.
   Real contribution(const Index<Real>& light, const Vec3<Real>& point) const {
     using std::max;
     const Real radius = radii_(light);

@@ -8,7 +8,8 @@ namespace {
 
 bool emits(const Surface& surface) { return (surface.radiance > 0).any(); }
 
-// Whether `holds` is so for the distance of a sphere's centre from that of each luminaire, and the two radii [m].
+// Whether `holds(distance of the centres [m], radius of the sphere [m], luminaire)` is true for
+// every luminaire.
 bool for_all_luminaires(const Scene& scene, const Sphere<double>& sphere, const auto& holds) {
   const double radius = sphere.normal.norm() / sphere.curvature;
   const Vec3<double> centre = sphere.anchor - sphere.normal / sphere.curvature;
@@ -17,10 +18,11 @@ bool for_all_luminaires(const Scene& scene, const Sphere<double>& sphere, const 
   });
 }
 
-// Clear of the rounding of places that are that far apart.
+// A factor above the rounding errors of distances and radii.
 constexpr double rounded_up = 1 + 1e-14;
 
-// A sphere may be around another; a rectangle is in the sphere about it.
+// A spherical luminaire may also enclose the sphere. A rectangle is replaced by its bounding
+// sphere.
 bool is_outside(double distance, double radius, const Luminaire& light) {
   return distance > rounded_up * (radius + light.radius) ||
          (!light.is_rectangle && light.radius > rounded_up * (radius + distance));
@@ -29,7 +31,7 @@ bool is_inside(double distance, double radius, const Luminaire& light) {
   return radius > rounded_up * (distance + light.radius);
 }
 
-// How far a surface reaches beyond a plane, along its normal [m].
+// The largest signed distance of a surface's points from a plane, along its normal [m].
 double reach_beyond(const Sphere<double>& plane, const Surface& surface) {
   const double middle = plane.normal.dot(surface.shape.anchor - plane.anchor);
   const Vec3<double>& normal = surface.shape.normal;
@@ -38,7 +40,7 @@ double reach_beyond(const Sphere<double>& plane, const Surface& surface) {
   return middle + half(surface.rectangle->x) + half(surface.rectangle->y);
 }
 
-// To the rounding of where they are.
+// Whether no surface reaches beyond the plane, up to the rounding of positions.
 bool none_beyond(const Sphere<double>& plane, const Scene& scene) {
   return std::ranges::all_of(scene.surfaces(), [&](const Surface& surface) {
     return reach_beyond(plane, surface) <= 1e-14 * (surface.shape.anchor.norm() + plane.anchor.norm());

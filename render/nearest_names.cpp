@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_names = 5;
 
-// In lower case, and without the dashes of an option.
+// The text in lower case, without the dashes before an option.
 std::string bare(std::string text) {
   text.erase(0, std::min(text.find_first_not_of('-'), text.size()));
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -18,11 +18,12 @@ std::string bare(std::string text) {
 
 bool ends_part(char c) { return c == '.' || c == '-' || c == '_'; }
 
-// Row i of the table has the edits that make the first i letters of the word the first j of the
-// name.
+// Row i of the table: element j is the number of edits that turn the first i letters of the word
+// into the first j letters of the name.
 using Row = std::vector<std::size_t>;
 
-// A name may lose its first parts for one edit, or letter by letter.
+// Row 0. The start of a name costs one edit per letter; with may_lose_parts, whole first parts cost
+// one edit.
 Row first_row(const std::string& name, bool may_lose_parts) {
   Row row(name.size() + 1);
   for (std::size_t j = 1; j < row.size(); ++j)
@@ -49,7 +50,8 @@ Row next_row(const std::string& word, const std::string& name, std::size_t i, co
   return row;
 }
 
-// The last row: edits that make the whole word the first j letters of the name.
+// The last row: element j is the number of edits that turn the whole word into the first j letters
+// of the name.
 Row edits(const std::string& word, const std::string& name, bool may_lose_parts) {
   Row two_above, above, row = first_row(name, may_lose_parts);
   for (std::size_t i = 1; i <= word.size(); ++i) {
@@ -67,7 +69,8 @@ std::size_t edits_to_beginning(const std::string& word, const std::string& name)
 }
 
 std::vector<std::string> nearest_names(const std::string& word, const std::vector<std::string>& names) {
-  using Candidate = std::tuple<std::size_t, std::size_t, std::size_t>;  // edits, edits to all of it, its place
+  // The edits, the edits to the whole name, and the index.
+  using Candidate = std::tuple<std::size_t, std::size_t, std::size_t>;
   std::vector<Candidate> near;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::size_t to_beginning = edits_to_beginning(word, names[i]);

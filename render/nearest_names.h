@@ -6,19 +6,20 @@
 
 namespace fairlight {
 
-/// The edits (insert, delete or replace a letter, swap two) that make a word the beginning of a name;
-/// or, for one edit more, of a part of it after a '.', '-' or '_'. In the word '?' stands for any
-/// letter and '*' for any number of them. Case and the dashes before an option do not count.
-/// Source: Wagner and Fischer 1974; with swaps, the optimal string alignment distance.
+/// The number of edits (insert, delete or replace a letter, swap two) that turn a word into the
+/// beginning of a name, or, for one edit more, of a part of the name after a '.', '-' or '_'. In
+/// the word '?' matches any letter and '*' any number of letters. Ignores case and the dashes
+/// before an option.
+/// Source   Wagner and Fischer 1974; with swaps, the optimal string alignment distance
 std::size_t edits_to_beginning(const std::string& word, const std::string& name);
 
-/// The names that a word may have been meant for, at most five, the nearest first: by the edits
-/// above, then by those to the whole name, then in their order. None that takes two edits more than
-/// the nearest, or edits of more than a third of the word's letters.
+/// At most five names that a word may stand for, the nearest first: by the edits above, then by the
+/// edits to the whole name, then in the given order. Leaves out names that take two edits more than
+/// the nearest, or more edits than a third of the word's letters.
 std::vector<std::string> nearest_names(const std::string& word, const std::vector<std::string>& names);
 
-/// What to say after "there is no such name", in brackets: "(did you mean A or B? see `all`)",
-/// where `all` is the command that lists all names; and only the latter when none is near.
+/// A hint for an unknown name: "(did you mean A or B? see `all`)", where `all` is the command that
+/// lists all names. When no name is near, only the part on `all`.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const std::string& all);
 
 }  // namespace fairlight

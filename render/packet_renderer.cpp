@@ -1,4 +1,4 @@
-// The packet renderer for one instruction set, which the build compiles this file for and names.
+// The packet renderer for one instruction set. The build compiles this file once for each set.
 
 #include <fairlight/render/tile_tracer.h>
 

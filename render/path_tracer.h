@@ -8,17 +8,18 @@
 
 namespace fairlight {
 
-/// A path on its way: its next ray, and what has been found so far.
+/// The state of a path: its next ray, and the radiance found so far.
 template <class Real>
 struct Path {
   Ray<Real> ray;
   Rgb<Real> throughput = Rgb<Real>::Constant(Real(1));
   Rgb<Real> radiance = Rgb<Real>::Constant(Real(0));  ///< [W/(sr m^2)]
-  Real density = Real(0);  ///< of the last bounce [1/sr]; 0 for a single direction, and at the camera
-  Real depth = Real(0);    ///< how many bounces it has made
+  /// The density of the last bounce [1/sr]; 0 after a delta bounce and at the camera.
+  Real density = Real(0);
+  Real depth = Real(0);  ///< number of bounces so far
 };
 
-/// Lanes in which another path begins, along a ray that is theirs already.
+/// Starts a new path in the lanes `begins`. Their rays are already set.
 template <class Real>
 void begin_paths(Path<Real>& path, const Mask<Real>& begins) {
   path.throughput = select(begins, Rgb<Real>(Rgb<Real>::Constant(Real(1))), path.throughput);
@@ -27,7 +28,7 @@ void begin_paths(Path<Real>& path, const Mask<Real>& begins) {
   path.depth = select(begins, Real(0), path.depth);
 }
 
-/// How diffuse surfaces are sampled: Directions is the hemisphere's law.
+/// Samples diffuse surfaces by `Directions`, a distribution on the hemisphere.
 template <template <class> class Directions>
 struct BouncesBy {
   template <class Real>
@@ -36,12 +37,12 @@ struct BouncesBy {
   }
 };
 
-/// Radiance along a ray by following one path: emission, light from the luminaires, and what is reflected, each
-/// strategy a component of its own. Unbiased with roulette or where every path ends; with a maximum depth it is
-/// the sum of the terms up to that depth, and unbiased for that.
+/// Radiance along a ray, by one path: emission, direct light and bounces, each a component.
+/// Unbiased with roulette or if every path ends; with a maximum depth, unbiased for the sum up to
+/// that depth.
 /// Formula  L = sum over depths of throughput x (emission + direct light)
 /// Measure  none: an estimate of radiance [W/(sr m^2)]
-/// Domain   every lane a path of its own. A surface that is perfectly white in some channel and encloses the path needs a depth
+/// Domain   each lane is a path. Needs a depth if a surface white in a channel encloses the path
 /// Random   two dimensions per bounce, one per roulette, and those of the direct light
 /// Source   Kajiya 1986; the paper, sections 2 and 3
 template <class Bounces, class Direct, class Roulette>
@@ -49,8 +50,8 @@ class PathTracer {
  public:
   static constexpr int no_limit = -1;
 
-  /// max_depth: the number of bounces after which a path ends, or no_limit. Throws std::invalid_argument below
-  /// that.
+  /// max_depth: the number of bounces after which a path ends, or no_limit. Throws
+  /// std::invalid_argument for a smaller number.
   explicit PathTracer(int max_depth = no_limit, Direct direct = Direct(), Bounces bounces = Bounces(),
                       Roulette roulette = Roulette())
       : max_depth_(max_depth),
@@ -60,7 +61,7 @@ class PathTracer {
     if (max_depth < no_limit) throw std::invalid_argument("a maximum depth must be nonnegative");
   }
 
-  /// All of a path.
+  /// The radiance of a whole path.
   template <class Real, class Scene, UniformSource<Real> Source>
   Rgb<Real> radiance(const Scene& scene, const Ray<Real>& ray, Source& source) const {
     Path<Real> path{ray};
@@ -68,7 +69,8 @@ class PathTracer {
     return path.radiance;
   }
 
-  /// The paths that are alive, to their next vertex and off it: adds what they find there, and says which go on.
+  /// Advances the paths that are alive by one vertex: adds the light found there, samples a bounce,
+  /// and returns which paths go on.
   template <class Real, class Scene, UniformSource<Real> Source>
   Mask<Real> advance(const Scene& scene, Path<Real>& path, Source& source, Mask<Real> alive) const {
     const Hit<Real> hit = scene.intersect(path.ray, alive);
@@ -95,7 +97,8 @@ class PathTracer {
   Mask<Real> bounce(Path<Real>& path, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
                     Mask<Real> alive) const {
     if (direct_.next_event_only() && max_depth_ != no_limit) {
-      // The last vertex would only look for light: a bounce that has a density leaves that to the shadow ray.
+      // After the last bounce a path only looks for light. With shadow rays only, a bounce that is
+      // not a delta bounce finds none.
       const Mask<Real> last = path.depth + Real(1) == Real(static_cast<Lane<Real>>(max_depth_));
       if (any(last)) alive = alive && (!last || bsdf.is_single());
       if (!any(alive)) return alive;

@@ -7,7 +7,7 @@
 namespace fairlight {
 namespace {
 
-// The bytes of a word, the lowest first on every machine.
+// Writes a word as little-endian bytes, on every machine.
 void put(char*& to, std::uint64_t word) {
   for (int shift = 0; shift < 64; shift += 8) *to++ = static_cast<char>(word >> shift);
 }

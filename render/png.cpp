@@ -11,8 +11,8 @@
 namespace fairlight {
 namespace {
 
-// The sRGB transfer curve, IEC 61966-2-1, to 8 bits. A screen shows no more than 1, so the preview ends there; the
-// EXR holds the radiance itself.
+// The 8-bit sRGB encoding, IEC 61966-2-1. Clips at 1, as a screen shows no more; the EXR holds the
+// unclipped radiance.
 png_byte encode(double radiance) {
   const double shown = std::min(radiance, 1.0);
   const double curve = shown <= 0.0031308 ? 12.92 * shown : 1.055 * std::pow(shown, 1 / 2.4) - 0.055;

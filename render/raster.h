@@ -7,19 +7,19 @@
 
 namespace fairlight {
 
-/// Rasters that are no render: charts and maps. Rows from the top. Written whole or not at all; throw std::runtime_error, and
-/// std::invalid_argument when the values are not as many as the pixels.
+/// Writers for charts and maps, with rows from the top. They write a file whole or not at all. They
+/// throw std::runtime_error, and std::invalid_argument unless there is a value for each pixel.
 
-/// 8-bit sRGB, three bytes a pixel.
+/// Writes an 8-bit sRGB PNG from three bytes per pixel.
 void write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb);
 
-/// One number a pixel, and its name.
+/// A named channel with one number per pixel.
 struct Plane {
   std::string name;
   std::vector<float> values;
 };
 
-/// OpenEXR with a channel of 32-bit floats for each plane.
+/// Writes an OpenEXR file with one channel of 32-bit floats per plane.
 void write_exr(const std::string& path, int width, int height, const std::vector<Plane>& planes);
 
 }  // namespace fairlight

@@ -4,20 +4,21 @@
 
 namespace fairlight {
 
-/// A rectangle about the anchor of its plane: the points of the plane whose coordinates along both axes are in [-1, 1]. The axes are
-/// orthogonal to each other and to the normal, and as long as the inverse of half an edge [1/m].
+/// A rectangle centred on the anchor of its plane: the points of the plane whose coordinates along
+/// the axes x and y are in [-1, 1]. The axes are orthogonal to each other and to the normal; their
+/// length is 2 / edge length [1/m].
 template <class Real>
 struct Rectangle {
   Sphere<Real> plane;
   Vec3<Real> x, y;
 
-  /// The same for all lanes of a packet.
+  /// The same rectangle in every lane of a packet.
   template <class Other>
   Rectangle<Other> in() const {
     return {plane.template in<Other>(), x.template cast<Other>(), y.template cast<Other>()};
   }
 
-  /// The point of the rectangle ahead, along a unit direction; nowhere if the origin is on it.
+  /// The hit along a unit direction; nowhere if the origin is on the rectangle.
   RationalHit<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction,
                              const Mask<Real>& leaving) const {
     using std::abs;
@@ -30,7 +31,7 @@ struct Rectangle {
     return {select(ahead && within, t, Real(0)), Real(1)};
   }
 
-  /// Positive where it stands on the ray closer than `reach` [m].
+  /// Positive where the rectangle stands on the ray closer than `reach` [m].
   Real obstruction(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving,
                    Real reach) const {
     return reach - crossing(origin, direction, leaving).distance();

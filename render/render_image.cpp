@@ -24,10 +24,11 @@ bool absorbs_nothing(const Surface& surface) {
   return surface.material.kind == Material::Kind::glass || surface.material.albedo.maxCoeff() == 1;
 }
 
-// Of any pixel filter: from the middle of a pixel.
+// The largest radius of a pixel filter, in pixels.
 constexpr double widest_filter = 2;
 
-// A ray that starts inside glass may be reflected round and round, all of it; so may one where nothing is darker than white.
+// Without a depth limit, throws if rays may start in a sphere from which a path need not escape: a
+// glass sphere, by internal reflection, or any sphere if no surface of the scene absorbs light.
 void check_camera(const View& view, const Strategies& strategies, const Film& film) {
   if (strategies.max_depth >= 0) return;
   const double height = film.height(), around = 2 * widest_filter / height;

@@ -14,7 +14,7 @@
 namespace fairlight {
 namespace {
 
-// By the component that will reflect the light: it knows its domain.
+// Checks a material by constructing its BSDF, which throws outside its domain.
 void require_material(const Material& material) {
   require_albedo(material.albedo);
   const double number = material.parameter;
@@ -36,7 +36,7 @@ void require_material(const Material& material) {
 
 std::string text(double x) { return formatted("%.3g", x); }
 
-// Beyond this the square of a square, or its inverse, is no number of doubles any more.
+// Lengths whose fourth power, and its inverse, doubles can represent.
 void require_length(double length) {
   if (!(length >= 1e-50 && length <= 1e50))
     throw std::invalid_argument("a surface of " + text(length) + " m is not held by doubles (scale the scene)");
@@ -48,8 +48,9 @@ void require_radius(const Vec3<double>& place, double radius) {
   require_length(radius);
 }
 
-// A float is known to a part of 6e-8, and its square must be a number too. What is smaller than a part of 1e-6 of its distance from
-// the origin is not where it should be.
+// The relative precision of a float is 6e-8, and its square must not overflow or vanish. A surface
+// smaller than 1e-6 of its distance from the origin would be misplaced by a visible part of its
+// size.
 void require_floats(double size, double distance) {
   if (size >= 1e-9 && size <= 1e9 && distance <= 1e9 && size >= 1e-6 * distance) return;
   throw std::invalid_argument("a surface of " + text(size) + " m at " + text(distance) +

@@ -10,7 +10,8 @@
 
 namespace fairlight {
 
-/// What a picture is an estimate of, and by which strategies. Two renders may be merged when these are equal.
+/// What a picture estimates, and by which strategies. Two renders can be merged if their settings
+/// are equal.
 struct RenderSettings {
   std::string scene = "cornell-simple";
   int width = 256;
@@ -21,23 +22,23 @@ struct RenderSettings {
   std::string light_sampling = "area";  ///< area | visible | cone | solid-angle
   std::string which_light = "one";      ///< all | one | power | contribution
   std::string roulette = "albedo";      ///< albedo | throughput | off
-  int roulette_depth = -1;              ///< the first bounce that it may refuse, from 1; -1 for the roulette's own
+  int roulette_depth = -1;              ///< first bounce for roulette, from 1; -1 for its default
   std::string filter = "tent";          ///< tent | box | gaussian | blackman-harris
   std::string random = "independent";   ///< independent | sobol | stratified
-  std::uint32_t points = 1;  ///< of a set: samples that depend on each other, and make one draw of the film
-  int max_depth = -1;        ///< bounces; -1 for no limit
-  double aperture = -1;      ///< the lens's radius [m], 0 for a pinhole; negative for the scene's own
-  double focus = -1;         ///< what is seen sharp, along the axis [m]; negative for the scene's own
-  double fov = -1;           ///< the vertical field of view [degrees]; negative for the scene's own
+  std::uint32_t points = 1;             ///< points of a set, whose mean is one draw of the film
+  int max_depth = -1;                   ///< maximum bounces; -1 for no limit
+  double aperture = -1;                 ///< lens radius [m], 0: pinhole; negative: the scene's
+  double focus = -1;                    ///< distance in focus [m]; negative: the scene's
+  double fov = -1;                      ///< vertical field of view [degrees]; negative: the scene's
 };
 
-/// Throws std::invalid_argument, naming it, for a number that is not finite: a NaN is neither given
-/// nor left to the scene.
+/// Throws std::invalid_argument, with the setting's name, for a number that is not finite. A NaN
+/// would count neither as given nor as left to the scene.
 void check_finite(const RenderSettings& settings);
 
-/// An object with every setting under its name. Both throw std::invalid_argument, which names the
-/// setting: the first as check_finite does, the second for one that is missing, null or of another
-/// type.
+/// A JSON object with every setting under its name. Both functions throw std::invalid_argument with
+/// the setting's name: to_json as check_finite does, from_json for a setting that is missing, null
+/// or of another type.
 void to_json(nlohmann::json& json, const RenderSettings& settings);
 void from_json(const nlohmann::json& json, RenderSettings& settings);
 
@@ -47,21 +48,23 @@ struct SampleRange {
   std::uint64_t last;
 };
 
-/// Which samples of which seed a picture holds, so that none is counted twice.
+/// Which samples of which seeds a picture holds, so that no sample counts twice.
 class SampleLedger {
  public:
-  /// Throws std::invalid_argument when some of them are there already, the range is empty, or there would be 2^64 and more.
+  /// Throws std::invalid_argument if some of the samples are there already, if the range is empty,
+  /// or if there would be 2^64 or more samples.
   void add(std::uint64_t seed, SampleRange range);
   /// Throws as add does.
   void merge(const SampleLedger& other);
-  /// How many samples there are, of all seeds.
+  /// The number of samples of all seeds.
   std::uint64_t total() const;
-  /// The first sample number of this seed after all that are there.
+  /// The sample number after the last one of this seed.
   std::uint64_t next(std::uint64_t seed) const;
-  /// The only seed there is. Throws std::invalid_argument when there are several.
+  /// The only seed. Throws std::invalid_argument if there are several.
   std::uint64_t seed() const;
 
-  /// {"seed": [[first, last], ...], ...}, adjacent ranges joined, so that equal sets give equal text.
+  /// {"seed": [[first, last], ...], ...}. Adjacent ranges are joined, so that equal sets give equal
+  /// text.
   nlohmann::json json() const;
   static SampleLedger from_json(const nlohmann::json& json);
 

@@ -28,7 +28,7 @@ void for_each_setting(Settings& s, const Visit& visit) {
   visit("fov", s.fov);
 }
 
-// JSON has null where a number is not finite.
+// JSON stores null for a number that is not finite.
 template <class Value>
 void require_finite(const char* name, const Value& value) {
   if constexpr (std::is_floating_point_v<Value>) {

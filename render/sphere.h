@@ -6,50 +6,51 @@
 
 namespace fairlight {
 
-/// Where a ray first meets a shape ahead: the distance [m] as a fraction. Nowhere, if the numerator or the denominator is
-/// not positive or no number. Two are compared by their products, as divisions are
-/// what a machine does fewest of at once.
+/// The first hit of a ray with a shape, as a fraction: the distance [m] is numerator / denominator.
+/// No hit if either is not positive or is NaN. Hits are compared by cross products, as machines
+/// have few units for division.
 template <class Real>
 struct RationalHit {
   Real numerator, denominator;
 
-  /// Nowhere, which every other crossing is before.
+  /// No hit; every hit is before it.
   static RationalHit nowhere() { return {Real(infinity<Real>), Real(1)}; }
 
   Mask<Real> before(const RationalHit& other) const {
     return numerator > Real(0) && numerator * other.denominator < other.numerator * denominator;
   }
 
-  /// Infinity for nowhere.
+  /// Infinity for no hit.
   Real distance() const {
     const Real t = numerator / denominator;
     return select(t > Real(0), t, Real(infinity<Real>));
   }
 };
 
-/// A sphere in curvature form: the points x with k |x - a|^2 / 2 + n (x - a) = 0, where a is a point of it, n the
-/// outward unit normal there and k = 1/r. Centre and radius, which cancel each other for a wall of radius 1e5,
-/// appear nowhere; k = 0 is the plane through a.
+/// A sphere in curvature form: the points x with k |x - a|^2 / 2 + n (x - a) = 0, where a is a
+/// point of the sphere, n the outward unit normal at a, and k = 1/r. The centre and the radius,
+/// which would cancel for a wall of radius 1e5, are not stored. k = 0 is the plane through a.
 template <class Real>
 struct Sphere {
   Vec3<Real> anchor;
   Vec3<Real> normal;
   Real curvature;
 
-  /// The same for all lanes of a packet.
+  /// The same sphere in every lane of a packet.
   template <class Other>
   Sphere<Other> in() const {
     return {anchor.template cast<Other>(), normal.template cast<Other>(), Other(curvature)};
   }
 
-  /// Zero on the sphere, negative inside, near it the signed distance [m].
+  /// The implicit function: 0 on the sphere, negative inside, near it the signed distance [m].
   Real level(const Vec3<Real>& x) const { return Real(0.5) * twice_implicit(x - anchor); }
 
   /// The outward unit normal at a point of the sphere.
   Vec3<Real> normal_at(const Vec3<Real>& x) const { return normal + curvature * (x - anchor); }
 
-  /// The first point of the sphere ahead, along a unit direction. `leaving` says that the origin is on this very sphere: its
-  /// level is then zero exactly, so the sphere is not hit again where the ray starts, at any scale, and there is no epsilon.
+  /// The first hit along a unit direction. `leaving` marks lanes whose origin is on this sphere:
+  /// their level is exactly 0, so the ray does not hit its start again, at any scale and without an
+  /// epsilon.
   RationalHit<Real> crossing(const Vec3<Real>& origin, const Vec3<Real>& direction,
                              const Mask<Real>& leaving) const {
     using std::abs;
@@ -57,9 +58,10 @@ struct Sphere {
     using std::max;
     using std::sqrt;
     const Line line = seen_from(origin, direction, leaving);
-    // k t^2 / 2 + slope t + level = 0, each root from the form that does not cancel: q/k is the one ahead from inside, or
-    // from the sphere itself, where q is positive, and 2 level / q otherwise. A negative depth makes a NaN, and a tangent or a
-    // plane 0/0 or q/0, none of which comes before anything.
+    // Solves k t^2 / 2 + slope t + level = 0, each root in the form that does not cancel. From
+    // inside, or from the sphere itself with q > 0, the hit is q/k; otherwise it is 2 level / q. A
+    // negative depth gives a NaN, a tangent or a plane gives 0/0 or q/0; none of these is before
+    // another hit.
     const Real root = sqrt(line.depth);
     const Real q = -(line.slope + copysign(root, line.slope));
     const Mask<Real> across = max(line.twice_implicit, -q) <= Real(0);
@@ -68,7 +70,8 @@ struct Sphere {
     return {over * copysign(Real(1), under), abs(under)};
   }
 
-  /// Of an origin that is inside or on the sphere, which is no plane: where the ray leaves it, and twice the level of the origin [m].
+  /// For an origin inside or on the sphere, with k > 0: where the ray leaves it, and twice the
+  /// level of the origin [m].
   std::pair<RationalHit<Real>, Real> exit(const Vec3<Real>& origin, const Vec3<Real>& direction,
                                           const Mask<Real>& leaving) const {
     using std::abs;
@@ -80,7 +83,8 @@ struct Sphere {
             line.twice_implicit};
   }
 
-  /// Of an origin that is outside or on the sphere: where the ray enters it, and twice the level of the origin [m].
+  /// For an origin outside or on the sphere: where the ray enters it, and twice the level of the
+  /// origin [m].
   std::pair<RationalHit<Real>, Real> entry(const Vec3<Real>& origin, const Vec3<Real>& direction,
                                            const Mask<Real>& leaving) const {
     using std::sqrt;
@@ -88,10 +92,11 @@ struct Sphere {
     return {{line.twice_implicit, sqrt(line.depth) - line.slope}, line.twice_implicit};
   }
 
-  /// Positive where the sphere stands on the ray closer than `reach` [m], without a root and with one comparison for all
-  /// spheres together: it is passed once when the levels at the two ends are of opposite signs, and twice when both are positive but
-  /// the ray's nearest point to the centre, where the slope changes its sign, is between them and not outside. Where the
-  /// origin is on the sphere its side is that of the slope.
+  /// Positive where the sphere stands on the ray closer than `reach` [m]. Needs no square root, and
+  /// one comparison serves all spheres. The ray crosses the sphere once if the levels at its two
+  /// ends have opposite signs. It crosses twice if both are positive and the point nearest to the
+  /// centre, where the slope changes sign, is between the ends and inside. If the origin is on the
+  /// sphere, the slope's sign gives its side.
   Real obstruction(const Vec3<Real>& origin, const Vec3<Real>& direction, const Mask<Real>& leaving,
                    Real reach) const {
     using std::max;
@@ -106,11 +111,13 @@ struct Sphere {
   }
 
  private:
-  /// Along a ray, twice the level is twice_implicit + 2 slope t + k t^2. The square of the slope less k times twice the level is
-  /// the same at every t: the depth, 1 less the square of the line's distance from the centre in radii. Of a sphere that is
-  /// farther than some of its radii the two cancel, and floats would see one of 1 cm from 100 m as wide as 3 cm; what the
-  /// gradient has across the line does not.
-  /// Source   Haines, Guenther, Akenine-Moller 2019, "Precision improvements for ray/sphere intersection"
+  /// Along a ray, twice the level is twice_implicit + 2 slope t + k t^2. At every t, depth =
+  /// slope^2 - k * (twice the level) = 1 - (distance of the line from the centre / radius)^2. For a
+  /// sphere many radii away the two terms cancel: floats would see a sphere of 1 cm at 100 m as 3
+  /// cm wide. There (`far`) depth comes from the gradient's component across the line, which does
+  /// not cancel.
+  /// Source   Haines, Guenther, Akenine-Moller 2019, "Precision improvements for ray/sphere
+  /// intersection"
   struct Line {
     Real twice_implicit, slope, depth;
     Mask<Real> far;

@@ -23,7 +23,8 @@ Strategy choose(const char* what, const std::string& value, Pairs... all) {
   return named<Strategy>(what, value, std::array{std::pair<std::string_view, Strategy>(all)...});
 }
 
-// By throughput from the fifth on, as Mitsuba has it: the first ones carry most of a picture.
+// The first bounce that roulette may end. By throughput it is the fifth, as in Mitsuba: the first
+// bounces carry most of a picture.
 int first_refused(const RenderSettings& settings) {
   if (settings.roulette_depth == -1) return settings.roulette == "throughput" ? 5 : 1;
   if (settings.roulette == "off")
@@ -42,7 +43,8 @@ void check_ends(const Strategies& strategies) {
     throw std::invalid_argument("without roulette a path need not end (give --max-depth, or --roulette albedo)");
   }
   if (strategies.bounce == Strategies::Bounce::uniform) {
-    // A bounce multiplies the second moment by 4/3 rho^2/q, which is above 1 for rho = q > 3/4.
+    // With uniform sampling, a bounce multiplies the second moment by 4/3 rho^2/q: above 1 for rho
+    // = q > 3/4.
     throw std::invalid_argument(
         "with uniform bounces the variance of endless paths is infinite (give --max-depth)");
   }

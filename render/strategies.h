@@ -10,8 +10,8 @@
 
 namespace fairlight {
 
-/// The strategies of a path as choices that are made while the program runs. Each stands for one of the kit's components,
-/// behind a branch that always goes the same way: a cycle among the hundreds of a vertex.
+/// The strategies of a path, chosen at run time. Each choice selects a component of the kit by a
+/// branch that always goes the same way, which costs about a cycle of the hundreds per vertex.
 struct Strategies {
   enum class Bounce { cosine, uniform };
   enum class Direct { light, none, mis };
@@ -21,8 +21,8 @@ struct Strategies {
   enum class Filter { tent, box, gaussian, blackman_harris };
   enum class Random { independent, sobol, stratified };
 
-  /// Throws std::invalid_argument for a strategy that does not exist, for one that the scene does not admit, and for paths that
-  /// might not end or whose variance is infinite.
+  /// Throws std::invalid_argument for an unknown strategy, for one that the scene does not admit,
+  /// and for paths that might not end or whose variance is infinite.
   Strategies(const RenderSettings& settings, const Scene& scene);
 
   Bounce bounce;
@@ -30,14 +30,14 @@ struct Strategies {
   LightSampling light_sampling;
   WhichLight which_light;
   Roulette roulette;
-  int roulette_depth;  ///< the first bounce that roulette may refuse
+  int roulette_depth;  ///< the first bounce that roulette may end
   Filter filter;
   Random random;
   std::uint32_t points;
   int max_depth;
 };
 
-/// How diffuse surfaces are sampled.
+/// Samples diffuse surfaces.
 template <class Real>
 struct ChosenDirections {
   using Scalar = Real;
@@ -58,7 +58,7 @@ struct ChosenBounces {
   Strategies::Bounce bounce;
 };
 
-/// How points of a luminaire are sampled.
+/// Samples points of a luminaire.
 struct ChosenPoints {
   template <class Real>
   LightSample<Real> sample(const LightTable<Real>& lights, const Index<Real>& i, const Mask<Real>& on_it,
@@ -89,14 +89,14 @@ struct ChosenPoints {
   }
 };
 
-/// All luminaires, or one of them.
+/// Selects all luminaires, or samples one.
 template <class Real>
 class ChosenLuminaires {
  public:
   ChosenLuminaires(const Strategies& strategies, const Scene& scene)
       : which_(strategies.which_light), by_power_(one_by_power<Real>(scene)) {}
 
-  /// As a point sees them.
+  /// The choice of luminaires as seen from a point.
   auto seen_from(const LightTable<Real>& lights, const Vec3<Real>& point) const {
     return Seen{*this, lights, point};
   }
@@ -143,7 +143,7 @@ class ChosenLuminaires {
   LightSampler<PowerChoice<Real>> by_power_;
 };
 
-/// What a shadow ray counts.
+/// The weights of shadow rays and bounces.
 struct ChosenSharing {
   bool next_event_only() const { return direct == Strategies::Direct::light; }
   template <class Real>
@@ -154,7 +154,7 @@ struct ChosenSharing {
   Strategies::Direct direct;
 };
 
-/// Shadow rays, or none.
+/// Direct light by shadow rays, or none.
 template <class Real>
 class ChosenDirect {
  public:
@@ -178,7 +178,7 @@ class ChosenDirect {
   bool none_;
 };
 
-/// What decides whether a path goes on, from the first bounce that it may refuse.
+/// Decides whether a path goes on; from the first bounce that roulette may end.
 struct ChosenRouletteKind {
   template <class Real, class Source>
   Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real& depth,
@@ -230,7 +230,7 @@ class ChosenFilter {
   BlackmanHarrisFilter<Real> blackman_harris_{Real(2)};
 };
 
-/// Where random numbers come from.
+/// The source of random numbers.
 class ChosenNumbers {
  public:
   ChosenNumbers(const Strategies& strategies, const StreamKey& key)
@@ -247,7 +247,7 @@ class ChosenNumbers {
   }
 
  private:
-  /// Called, not inlined, so that independent numbers are as fast as if there were no others.
+  /// Not inlined, so that it does not slow down independent numbers.
   template <class Real>
   [[gnu::noinline, gnu::flatten]] SampleBlock<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b,
                                                                  BlockPart part) const {
@@ -260,7 +260,7 @@ class ChosenNumbers {
   PaddedStrata strata_;
 };
 
-/// The path tracer that the strategies make.
+/// The path tracer with these strategies.
 template <class Real>
 auto chosen_tracer(const Strategies& strategies, const Scene& scene) {
   return PathTracer<ChosenBounces, ChosenDirect<Real>, ChosenRoulette>(

@@ -13,7 +13,7 @@
 
 namespace fairlight {
 
-/// What the surfaces of a scene do with light, in one arithmetic.
+/// The materials of a scene's surfaces, in one arithmetic.
 template <class Real>
 class Materials {
  public:
@@ -32,7 +32,8 @@ class Materials {
   Rgb<Real> emission(const Index<Real>& surface) const { return radiances_(surface).array(); }
   Real parameter(const Index<Real>& surface) const { return parameters_(surface); }
 
-  /// Whether all surfaces are diffuse, the first kind; whether any is of a kind; and where this one is.
+  /// Whether all surfaces are diffuse (the first kind), whether any surface has a kind, and in
+  /// which lanes this surface has it.
   bool all_diffuse() const { return std::none_of(has_.begin() + 1, has_.end(), std::identity()); }
   bool has(Material::Kind kind) const { return has_[static_cast<std::size_t>(kind)]; }
   Mask<Real> is(Material::Kind kind, const Index<Real>& surface) const {
@@ -45,15 +46,15 @@ class Materials {
   std::array<bool, Material::kinds> has_{};
 };
 
-/// The BSDF of the surface at a vertex, in world directions; each lane may have a kind of its own. Diffuse surfaces are
-/// sampled by `Directions`.
+/// The BSDF of the surface at a vertex, in world directions. Lanes may have different kinds.
+/// Diffuse surfaces are sampled by `Directions`.
 template <class Real, template <class> class Directions = CosineHemisphere>
 class SurfaceBsdf {
  public:
   using Kind = Material::Kind;
 
-  /// `outward`: the unit normal; `out`: towards the viewer, in the world. The side that is looked at reflects, but glass
-  /// knows its inside.
+  /// `outward`: the unit normal; `out`: the direction towards the viewer, in the world. The side
+  /// towards the viewer reflects; glass distinguishes its inside from its outside.
   SurfaceBsdf(const Materials<Real>& materials, const Index<Real>& surface, const Vec3<Real>& outward,
               const Vec3<Real>& out, const Directions<Real>& directions = Directions<Real>())
       : materials_(materials),
@@ -64,23 +65,23 @@ class SurfaceBsdf {
         out_(frame_.to_local(out)),
         directions_(directions) {}
 
-  /// On the side that is looked at; for glass, outwards.
+  /// The normal on the viewer's side; for glass, the outward normal.
   const Vec3<Real>& normal() const { return normal_; }
   const Rgb<Real>& albedo() const { return albedo_; }
 
-  /// The BSDF [1/sr], without the cosine; 0 below the surface, and where light leaves in single directions.
+  /// The BSDF [1/sr], without the cosine; 0 below the surface, and for delta distributions.
   Rgb<Real> eval_world(const Vec3<Real>& direction) const {
     const Vec3<Real> in = frame_.to_local(direction);
     return of_kind([&](const auto& bsdf) { return Rgb<Real>(bsdf.eval(out_, in)); });
   }
 
-  /// The density that sample_world draws a direction with.
+  /// The density with which sample_world draws a direction.
   Density<SolidAngle, Real> pdf_world(const Vec3<Real>& direction) const {
     const Vec3<Real> in = frame_.to_local(direction);
     return Density<SolidAngle, Real>(of_kind([&](const auto& bsdf) { return bsdf.pdf(out_, in).value(); }));
   }
 
-  /// A bounce whose direction is in the world.
+  /// Samples a bounce; its direction is in the world.
   Bounce<Real> sample_world(const Vec2<Real>& u) const {
     Bounce<Real> bounce = of_kind([&](const auto& bsdf) {
       constexpr int numbers = std::decay_t<decltype(bsdf)>::dimensions;
@@ -90,7 +91,7 @@ class SurfaceBsdf {
     return bounce;
   }
 
-  /// Where light leaves in single directions, which no shadow ray finds.
+  /// Lanes with a delta distribution, whose directions no shadow ray can sample.
   Mask<Real> is_single() const {
     Mask<Real> single(false);
     for (const Kind kind : {Kind::mirror, Kind::glass}) {
@@ -115,8 +116,8 @@ class SurfaceBsdf {
             Density<SolidAngle, Real>(select(mask, a.density.value(), b.density.value()))};
   }
 
-  // What `of` says of each lane's own BSDF. Only kinds that the scene has cost anything; in lanes of another kind the number
-  // is 1, which is in every domain.
+  // Applies `of` to each lane's own BSDF. Only kinds that occur in the scene are evaluated. In
+  // lanes of another kind the parameter is 1, which every kind's domain contains.
   auto of_kind(const auto& of) const {
     auto value = of(Lambertian<Real, Directions>(albedo_, directions_));
     if (materials_.all_diffuse()) return value;

@@ -11,7 +11,7 @@
 
 namespace fairlight {
 
-/// What a lane works on: a sample of a pixel, and its number among the tile's.
+/// The work of a lane: a sample of a pixel, and its number among the tile's samples.
 template <class Real>
 struct Job {
   Word<Real> number = Word<Real>(0u), pixel = number, sample = number;
@@ -19,7 +19,7 @@ struct Job {
 
 namespace detail {
 
-/// One value a lane, in memory.
+/// One value per lane, in memory.
 template <class Real, class Value>
 using InLanes = std::array<Value, lanes<Real>>;
 
@@ -45,13 +45,14 @@ InLanes<Real, Value> stored(const Batch& x) {
 
 }  // namespace detail
 
-/// Some samples of every pixel of a tile as jobs, pixel by pixel. Their rays are made a packet at a time: few lanes end together, and a
-/// camera's ray is as long in the making for one as for all.
+/// Jobs for some samples of every pixel of a tile, pixel by pixel. Camera rays are made a packet at
+/// a time and handed out as lanes become idle: few lanes end together, and a ray costs as much for
+/// one lane as for all.
 template <class Real>
 class TileJobs {
  public:
-  /// Samples from `first_sample` on, of an image so wide. Throws std::length_error where 32 bits do not number all samples
-  /// and jobs.
+  /// Samples from `first_sample` on, of an image `width` pixels wide. Throws std::length_error if
+  /// 32 bits cannot number all samples and jobs.
   TileJobs(const Tile& tile, std::uint32_t first_sample, std::uint32_t samples, int width)
       : tile_(tile),
         first_sample_(first_sample),
@@ -63,8 +64,9 @@ class TileJobs {
 
   std::uint32_t size() const { return jobs_; }
 
-  /// Gives the next jobs to the lanes whose bits are set, the lowest first, and returns the bits of those that got one: none when there
-  /// are no more. `make(middle of the pixel, job)` makes the rays of a packet of jobs.
+  /// Gives the next jobs to the lanes whose bits are set, the lowest first, and returns the bits of
+  /// the lanes that got one; 0 when no jobs are left. `make(middle of the pixel, job)` makes the
+  /// rays of a packet of jobs.
   std::uint32_t give(std::uint32_t idle, const auto& make, Ray<Real>& ray, Job<Real>& job) {
     if (next_ == end_ && made_ < jobs_) make_ready(make);
     const std::uint32_t given = lowest(idle, end_ - next_);
@@ -93,7 +95,7 @@ class TileJobs {
   using Numbers = detail::InLanes<Real, Number>;
   using Words = detail::InLanes<Real, std::uint32_t>;
 
-  /// The lowest n of the bits that are set, or all of them.
+  /// The lowest n set bits, or all of them if there are fewer.
   static std::uint32_t lowest(std::uint32_t bits, std::size_t n) {
     std::uint32_t rest = bits;
     for (; rest != 0 && n != 0; --n) rest &= rest - 1;
@@ -105,7 +107,8 @@ class TileJobs {
     next_ = 0;
     end_ = std::min<std::size_t>(lanes<Real>, jobs_ - made_);
     for (std::size_t i = 0; i < end_;) {
-      const std::size_t n = std::min<std::size_t>(end_ - i, samples_ - sample_);  // of one pixel
+      // The jobs of this pixel.
+      const std::size_t n = std::min<std::size_t>(end_ - i, samples_ - sample_);
       std::iota(&numbers_[i], &numbers_[i] + n, made_);
       std::fill_n(&pixels_[i], n, static_cast<std::uint32_t>(y_) * width_ + static_cast<std::uint32_t>(x_));
       std::iota(&drawn_[i], &drawn_[i] + n, first_sample_ + sample_);
@@ -137,10 +140,11 @@ class TileJobs {
   std::uint32_t jobs_, made_ = 0;
   std::uint32_t width_;  ///< of the image
   int x_, y_;
-  std::uint32_t sample_ = 0;              ///< of the next job
-  Words numbers_{}, pixels_{}, drawn_{};  ///< of the jobs that are ready, as in Job
+  std::uint32_t sample_ = 0;              ///< the next job's sample of its pixel
+  Words numbers_{}, pixels_{}, drawn_{};  ///< the jobs that are ready, as in Job
   std::array<Numbers, 3> origins_{}, directions_{};
-  std::size_t next_ = 0, end_ = 0;  ///< the first that no lane has taken, and the one past the last
+  /// The first job that is not yet given out, and the end of the ready jobs.
+  std::size_t next_ = 0, end_ = 0;
 };
 
 }  // namespace fairlight

@@ -20,12 +20,12 @@ struct Tile {
 class TileRenderer {
  public:
   virtual ~TileRenderer() = default;
-  /// Adds samples `range` of the tile's pixels to the film, and returns the number of rays that were traced. Any number of threads may
-  /// render at once, each its own tile.
+  /// Adds samples `range` of the tile's pixels to the film, and returns the number of traced rays.
+  /// Several threads may render different tiles at once.
   virtual std::uint64_t render(const Tile& tile, SampleRange range, Film& film) const = 0;
 };
 
-/// What a renderer of tiles needs to know.
+/// The input of a tile renderer.
 struct TileSettings {
   const Scene& scene;
   const Camera& camera;

@@ -15,8 +15,8 @@
 
 namespace fairlight {
 
-/// The sum of samples, by eight sums that a machine adds at once, in an order that no instruction set changes; minus infinity where a
-/// sample is negative or not a number.
+/// The sum of samples, by eight partial sums for SIMD, in the same order for every instruction set.
+/// -infinity if a sample is negative or NaN.
 template <class Number>
 double sum_of_set(std::span<const Number> samples) {
   bool wrong = false;
@@ -30,7 +30,8 @@ double sum_of_set(std::span<const Number> samples) {
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-/// The means of sets of n samples, each one draw of a film. A sample that is no radiance stands for its set, so that the film refuses it.
+/// The means of sets of n samples, each one draw of the film. An invalid sample makes its set's
+/// mean invalid too, so that the film throws.
 template <class Number>
 std::vector<double> set_means(std::span<const Number> samples, std::uint32_t n) {
   std::vector<double> means;
@@ -39,8 +40,8 @@ std::vector<double> set_means(std::span<const Number> samples, std::uint32_t n) 
   return means;
 }
 
-/// A tile's samples are jobs, as many as there are lanes are on their way at once, and a lane whose path has ended takes
-/// the next job. What a job gives depends on its pixel and its sample alone, whatever lane it is in.
+/// Traces a tile's samples as jobs, one per lane. A lane whose path has ended takes the next job.
+/// The result of a job depends on its pixel and sample only, not on its lane.
 template <class Real>
 class TileTracer : public TileRenderer {
  public:
@@ -59,7 +60,8 @@ class TileTracer : public TileRenderer {
     const CountedScene<Real> scene(scene_);
     const std::uint64_t at_once = std::max(held, points_);
     for (std::uint64_t first = range.first, n = 0; first < range.last; first += n) {
-      const std::uint64_t of_key = (std::uint64_t{1} << 32) - (first & 0xFFFFFFFFu);  // left of the same numbers
+      // The samples left under the same key.
+      const std::uint64_t of_key = (std::uint64_t{1} << 32) - (first & 0xFFFFFFFFu);
       n = std::min({at_once, range.last - first, of_key});
       Run run(*this, tile, first, static_cast<std::uint32_t>(n));
       run.trace(scene);
@@ -71,9 +73,10 @@ class TileTracer : public TileRenderer {
  private:
   using Number = Lane<Real>;
   static constexpr std::uint32_t everyone = static_cast<std::uint32_t>((std::uint64_t{1} << lanes<Real>)-1);
-  static constexpr std::uint32_t held = 64;  ///< samples of a pixel until they are added; more if a set has more
+  /// The samples kept per pixel before they are added to the film; at least one set.
+  static constexpr std::uint32_t held = 64;
 
-  /// Some samples of every pixel of a tile.
+  /// The jobs for some samples of every pixel of a tile.
   class Run {
    public:
     Run(const TileTracer& tracer, const Tile& tile, std::uint64_t first_sample, std::uint32_t samples)
@@ -85,7 +88,7 @@ class TileTracer : public TileRenderer {
       for (auto& channel : radiance_) channel = std::make_unique_for_overwrite<Number[]>(jobs_.size());
     }
 
-    /// A vertex at a time, of all paths that are on their way; lanes are given jobs as soon as they have none.
+    /// Advances all paths by one vertex at a time, and gives idle lanes new jobs at once.
     void trace(const CountedScene<Real>& scene) {
       Path<Real> path{{Vec3<Real>(Real(0), Real(0), Real(0)), Vec3<Real>(Real(0), Real(0), Real(1)), Real(-1)}};
       Mask<Real> alive(false);
@@ -112,17 +115,17 @@ class TileTracer : public TileRenderer {
     }
 
    private:
-    /// A vertex of all paths.
+    /// Advances all paths by one vertex.
     FAIRLIGHT_FLATTEN Mask<Real> advance(const CountedScene<Real>& scene, Path<Real>& path,
                                          const Mask<Real>& alive) {
       VertexSource<Real, ChosenNumbers> source(numbers_, {job_.pixel, job_.sample, vertex_of(path)});
       return by_.tracer_.advance(scene, path, source, alive);
     }
 
-    /// Vertex 0 is the camera, so the first after it is 1.
+    /// The number of the next vertex; vertex 0 is the camera.
     static Word<Real> vertex_of(const Path<Real>& path) { return word_of(to_int(path.depth)) + Word<Real>(1u); }
 
-    /// Gives jobs to idle lanes, and returns those that are still idle.
+    /// Gives jobs to idle lanes, and returns the lanes that are still idle.
     FAIRLIGHT_FLATTEN std::uint32_t start(Path<Real>& path, Mask<Real>& alive, std::uint32_t idle) {
       const auto ray_of = [this](const Vec2<Real>& middle, const Job<Real>& job) {
         VertexSource<Real, ChosenNumbers> source(numbers_, {job.pixel, job.sample, Word<Real>(0u)},
@@ -151,7 +154,7 @@ class TileTracer : public TileRenderer {
     }
 
     void finish(const Path<Real>& path, std::uint32_t ended) {
-      // A few lanes one by one take less time than a machine's own scatter.
+      // For a few lanes, a loop is faster than a scatter instruction.
       const auto jobs = detail::stored<Real, std::uint32_t>(job_.number);
       std::array<detail::InLanes<Real, Number>, 3> found;
       for (std::size_t c = 0; c < 3; ++c)
@@ -167,12 +170,12 @@ class TileTracer : public TileRenderer {
     Tile tile_;
     std::uint32_t samples_;  ///< of every pixel
     TileJobs<Real> jobs_;
-    Job<Real> job_;                                      ///< of each lane
-    std::array<std::unique_ptr<Number[]>, 3> radiance_;  ///< of the jobs, per channel
+    Job<Real> job_;                                      ///< the job of each lane
+    std::array<std::unique_ptr<Number[]>, 3> radiance_;  ///< by channel and job
   };
 
-  /// Lanes number samples by words of 32 bits; what is above these in a sample's number chooses the key. So the numbers
-  /// of a sample below 2^32 are those of the render's own key, and none come again beyond.
+  /// Lanes number samples by 32-bit words; the high 32 bits of a sample's number select the key.
+  /// Samples below 2^32 use the render's own key, and no numbers repeat beyond.
   ChosenNumbers numbers_of(std::uint64_t sample) const {
     return {strategies_, key_.further(static_cast<std::uint32_t>(sample >> 32))};
   }
@@ -183,7 +186,7 @@ class TileTracer : public TileRenderer {
   PathTracer<ChosenBounces, ChosenDirect<Real>, ChosenRoulette> tracer_;
   Strategies strategies_;
   StreamKey key_;
-  std::uint32_t points_;  ///< of a set
+  std::uint32_t points_;  ///< points of a set
   int width_, height_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace fairlight {
 
-/// A scene in one arithmetic, ready to be asked by rays.
+/// A scene in one arithmetic, for tracing rays.
 template <class Real>
 class TracedScene {
  public:
@@ -30,7 +30,7 @@ class TracedScene {
   LightTable<Real> lights_;
 };
 
-/// One that counts the rays that it is asked about, lane by lane.
+/// A scene that counts the rays traced through it, lane by lane.
 template <class Real>
 class CountedScene {
  public:

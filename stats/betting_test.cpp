@@ -13,20 +13,21 @@
 namespace fairlight {
 namespace {
 
-// A process bets at most this share of what it could lose, so that no single block can ruin it.
+// The largest part of its possible loss that a process bets, so that no block can ruin it.
 constexpr double largest_stake = 0.9;
 
-// Biases far larger than the margin are found sooner with larger bets: a mixture of processes is again one.
+// Larger bets find biases far above the margin sooner. A mixture of wealth processes is a wealth
+// process.
 constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
 constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
 
-// More slack than this part of the margin would slow the accept side, whose bets do not know of it.
+// A tail slack above this part of the margin would slow certification, whose bets ignore the slack.
 constexpr double largest_slack = 0.05;
 
-// Sums of many cubes of such a range are numbers still.
+// Sums of many cubes of numbers in such a range do not overflow.
 constexpr double largest_range = 1e100;
 
-// Of alpha, the part that giving up on right code may take; the rest is for calling it biased.
+// The part of alpha for giving up on right code; the rest is for calling it biased.
 constexpr double part_for_giving_up = 0.02;
 
 double log_mixture(const std::array<LogProduct, 3>& products) {
@@ -37,23 +38,24 @@ double log_mixture(const std::array<LogProduct, 3>& products) {
   return top + std::log(sum);
 }
 
-// What is bet of the best l: it costs 1 % of the growth, and less of an unlucky course.
+// The bet divided by the best l. It costs 1 % of the mean growth, and shortens unlucky runs.
 constexpr double part_of_best_bet = 0.9;
 
-// The l that makes E[log(1 + l Y)] greatest, to third order in l, for Y of mean m, variance s^2 and third central moment -t, the
-// unlucky sign: m - l (s^2 + m^2) - l^2 t = 0. Without t, rare large losses are bet against for more than it is worth, up to where the
-// wealth shrinks on right code.
+// The l that maximises E[log(1 + l Y)], to third order in l: m - l (s^2 + m^2) - l^2 t = 0, where Y
+// has mean m, variance s^2 and third central moment -t, the unlucky sign. Without t, the bets
+// against rare large losses would be too large, and the wealth could shrink on right code.
 double bet_on(double margin, double variance, double skew) {
   const double square = variance + margin * margin;
   return part_of_best_bet * 2 * margin / (square + std::sqrt(square * square + 4 * margin * skew));
 }
 
-// What a process may gain or lose of itself in one block, at the stake that its room allows.
+// The relative gain of a process in one block; `room` is its largest possible loss per unit of bet.
 double return_of(double bet, double room, double gain) { return std::min(bet, largest_stake / room) * gain; }
 
-// On right code log U1 and log D1 at their best bets drift by K/2 with variance K after n = K variance/margin^2 draws, so each is short of
-// log(1/beta) with probability alpha when K/2 - z sqrt(K) = log(1/beta): the K at which to give up. Half as much again pays
-// for bets placed before the variance is known.
+// The K at which to give up. On right code, after n = K variance/margin^2 draws at the best bets,
+// log U1 and log D1 are about normal with mean K/2 and variance K. So each is below log(1/beta)
+// with half of the given probability when K/2 - z sqrt(K) = log(1/beta). The factor 1.5 pays for
+// bets placed before the variance is known.
 double drift_to_wait_for(double alpha, double beta) {
   const double z = -boost::math::quantile(boost::math::normal(), alpha / 2);
   const double root = z + std::sqrt(z * z + 2 * std::log(1 / beta));
@@ -94,10 +96,10 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   }
 }
 
-// The variance of one draw, as far as n draws can tell: what they show, and what they may not have met yet, an
-// event of probability 1/n at the far end of the range; but no more than the range and the mean allow (Bhatia and
-// Davis 2000). A variance that is thought too small places bets that lose more than they teach. Any predictable
-// value is exact.
+// An estimate of the variance of one draw from n draws: the sample's, plus that of an unseen event
+// of probability 1/n at the far end of the range; at most what the range and the mean allow (Bhatia
+// and Davis 2000). Too small an estimate makes bets that lose too much. The test is exact for any
+// estimate from earlier draws.
 double BettingTest::spread() const {
   const double above = hypothesis_.upper - hypothesis_.mean;
   const double below = hypothesis_.mean - hypothesis_.lower;
@@ -121,7 +123,7 @@ BettingTest::Outlook BettingTest::outlook(std::uint64_t block) const {
   return {spread() / size, skew / (size * size)};
 }
 
-// Draws as a hypothesis wants them pass at the speed of a few sums; the first that is not is then looked for.
+// Checks the range by the block's extremes; only a bad block is searched for its first bad draw.
 BettingTest::Block BettingTest::summarise(std::span<const double> draws) {
   const auto& h = hypothesis_;
   const Moments block = Moments::of(draws);
@@ -149,7 +151,7 @@ void BettingTest::check_range(std::span<const double> draws) const {
   }
 }
 
-// Against the mean being at most, and at least, the reference.
+// The gains of U0 and D0, which bet against E[X] <= mean and E[X] >= mean.
 BettingTest::Gains BettingTest::refute(const Block& block, double bet) const {
   const auto& h = hypothesis_;
   return {return_of(bet, h.mean - h.lower + h.rounding, block.mean - h.mean - h.rounding),
@@ -157,7 +159,7 @@ BettingTest::Gains BettingTest::refute(const Block& block, double bet) const {
                     h.mean - h.tail_slack - block.capped - h.rounding)};
 }
 
-// Against the mean being below the reference by the margin, and above it.
+// The gains of U1 and D1, which bet against E[X] <= mean - margin and E[X] >= mean + margin.
 BettingTest::Gains BettingTest::certify(const Block& block, double bet, double margin) const {
   const auto& h = hypothesis_;
   return {return_of(bet, h.mean - h.lower - margin, block.mean - h.mean + margin),
@@ -166,8 +168,8 @@ BettingTest::Gains BettingTest::certify(const Block& block, double bet, double m
 
 void BettingTest::add(std::span<const double> draws) {
   if (draws.empty()) throw std::invalid_argument("a block must hold at least one draw");
-  if (verdict_ !=
-      Verdict::undecided) {  // other channels may still draw: what they bring must be in range all the same
+  if (verdict_ != Verdict::undecided) {
+    // Other channels may still need draws; those of this channel must stay in range.
     check_range(draws);
     return;
   }
@@ -192,7 +194,7 @@ Wealth BettingTest::wealth() const {
   return {log_mixture(too_bright_), log_mixture(too_dark_), not_brighter_.log(), not_darker_.log()};
 }
 
-// On what was thought of each block before it was drawn.
+// Uses each block's outlook, from before it was drawn.
 Wealth BettingTest::wealth_for(double margin) const {
   const auto& h = hypothesis_;
   if (!(margin > 0 && h.lower < h.mean - margin && h.mean + margin < h.upper)) {
@@ -213,13 +215,14 @@ Wealth BettingTest::wealth_for(double margin) const {
 }
 
 void BettingTest::decide() {
-  const bool above = hypothesis_.sides != Sides::not_below;  // too bright is a fault
-  const bool below = hypothesis_.sides != Sides::not_above;  // too dark is a fault
-  const auto refutes =
-      [this](const std::array<LogProduct, 3>& wealth) {  // a mixture is no larger than its largest part
-        return std::ranges::any_of(wealth, [this](const LogProduct& part) { return part.reaches(refuting_); }) &&
-               log_mixture(wealth) >= refuting();
-      };
+  // A mean above the reference, or below it, is a fault.
+  const bool above = hypothesis_.sides != Sides::not_below;
+  const bool below = hypothesis_.sides != Sides::not_above;
+  const auto refutes = [this](const std::array<LogProduct, 3>& wealth) {
+    // A mixture is at most its largest part, which is faster to test.
+    return std::ranges::any_of(wealth, [this](const LogProduct& part) { return part.reaches(refuting_); }) &&
+           log_mixture(wealth) >= refuting();
+  };
   if ((above && refutes(too_bright_)) || (below && refutes(too_dark_))) {
     verdict_ = Verdict::biased;
   } else if ((!above || not_brighter_.reaches(1 / beta_)) && (!below || not_darker_.reaches(1 / beta_))) {
@@ -227,21 +230,23 @@ void BettingTest::decide() {
   }
 }
 
-// The second term is for bets that the range limits.
+// The first term holds where the variance limits the bets, the second where the range does.
 double BettingTest::patience() const {
   const double margin = hypothesis_.margin;
   const double range = hypothesis_.upper - hypothesis_.lower;
   return drift_ * (spread() / (margin * margin) + range / margin);
 }
 
-// Where variance limits the bets, as simulated for many laws (see `fairlight audit calibration`); and where the range does.
+// The first term holds where the variance limits the bets, and was simulated for many laws (see
+// `fairlight audit calibration`). The second holds where the range limits them.
 double BettingTest::expected_draws() const {
   const double margin = hypothesis_.margin;
   const double range = hypothesis_.upper - hypothesis_.lower;
   return certifying() * (3.7 * moments_.variance() / (margin * margin) + 1.1 * range / margin);
 }
 
-// Four at a time, as the branches of a long product cost more than its factors; the last four are filled up with bets of nothing.
+// Padded with zero bets to a multiple of four: `evidence` multiplies four factors at a time, as the
+// branches of LogProduct cost more than a factor.
 BettingTest::Stakes BettingTest::stakes(bool above) const {
   const auto& h = hypothesis_;
   const auto n = static_cast<Eigen::Index>(blocks_.size());
@@ -255,9 +260,9 @@ BettingTest::Stakes BettingTest::stakes(bool above) const {
   return all;
 }
 
-// Evidence that the mean is above (or below) a candidate: the log wealth of betting against it with the whole
-// mixture, decreasing as the candidate moves towards the draws. Bets stay affordable against any candidate inside
-// the search.
+// The log wealth of betting, with the whole mixture, against a mean at most (or at least) the
+// candidate, less the log threshold 0.8/beta. It falls as the candidate moves towards the draws.
+// All bets stay affordable for candidates inside the search range.
 double BettingTest::evidence(const Stakes& stakes, double candidate) const {
   std::array<LogProduct, 3> wealth;
   for (Eigen::Index i = 0; i < stakes.bets.size(); i += 4) {
@@ -268,8 +273,9 @@ double BettingTest::evidence(const Stakes& stakes, double candidate) const {
   return log_mixture(wealth) - std::log(mixture_weights[0] / beta_);
 }
 
-// An end is mostly within the margin, or a few margins from the mean of the draws; else it is looked for up to the bound, and as far
-// the other way as the bets can be paid.
+// Finds the candidate at which `evidence` is 0. Tries the margin first, then four margins from the
+// mean of the draws, then the bound; on the other side the search ends where bets are not
+// affordable.
 double BettingTest::end_of_interval(bool above) const {
   const auto& h = hypothesis_;
   const Stakes all = stakes(above);

@@ -5,12 +5,13 @@
 
 namespace fairlight {
 
-/// The probability of a false alarm in one whole run, shared out among its claims by Bonferroni's inequality, which
-/// holds however the claims depend on each other.
-/// A share depends on the whole list alone: choosing a subset to run never changes it.
+/// The probability of a false alarm in a run of all claims, divided among the claims. By
+/// Bonferroni's inequality the total holds however the claims depend on each other. A share depends
+/// on the whole list: running a subset does not change it.
 class Budget {
  public:
-  /// total in (0,1); weights positive and finite, at least one. Throws std::invalid_argument otherwise.
+  /// total in (0,1); at least one weight, all positive and finite. Throws std::invalid_argument
+  /// otherwise.
   Budget(double total, const std::vector<double>& weights);
 
   double total() const { return total_; }

@@ -83,7 +83,8 @@ std::vector<std::size_t> ends_of_groups(std::span<const double> probabilities, d
     ends.push_back(i + 1);
     expected = 0;
   }
-  if (!ends.empty()) ends.back() = probabilities.size();  // the last group has what is left
+  // The last group takes the remaining cells.
+  if (!ends.empty()) ends.back() = probabilities.size();
   return ends;
 }
 
@@ -99,7 +100,8 @@ std::uint64_t draws_to_tell_apart(std::uint64_t cells, double distance, double a
 }
 
 Verdict judge(const ChiSquare& result, std::uint64_t draws, double distance, double alpha, double beta) {
-  // With few cells the statistic is a lattice that often meets its least value, so "too good" means nothing.
+  // With few cells the statistic is discrete and often takes its least value, so a good fit is no
+  // sign of a fault.
   constexpr double fewest_degrees = 10;
   const bool too_near = result.degrees >= fewest_degrees && result.too_near < alpha / 2;
   if (result.too_far < alpha / 2 || too_near) return Verdict::biased;

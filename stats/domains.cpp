@@ -10,11 +10,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The fraction of a turn from -x at which the point lies, in [0,1], and the point of the unit circle there.
+// The angle from -x as a fraction of a turn, in [0,1]. on_circle is its inverse.
 double turn(double x, double y) { return std::atan2(y, x) / (2 * pi) + 0.5; }
-// The middle of its eighth, found without a branch; not a number where a coordinate is none.
+// The middle of the eighth of a turn that holds the point, without a branch; NaN for a NaN.
 double eighth_of_turn(double x, double y) {
-  const double forward = std::copysign(1, y) * x, up = std::abs(y);  // half a turn on where y is negative
+  // A point with y < 0 is rotated by half a turn.
+  const double forward = std::copysign(1, y) * x, up = std::abs(y);
   const int eighth = 4 * !std::signbit(y) + (up >= forward) + (forward <= 0) + (up <= -forward);
   return std::isnan(x + y) ? x + y : (eighth + 0.5) / 8;
 }
@@ -27,13 +28,13 @@ Eigen::Vector3d at_height(double z, double turn) {
   return {ring.x(), ring.y(), z};
 }
 
-// How far a unit vector is below the pole, along the axis: never negative by rounding.
+// 1 - z of a unit vector, in a form that rounding never makes negative.
 double drop(const Eigen::Vector3d& w) { return w.z() > 0 ? w.head<2>().squaredNorm() / (1 + w.z()) : 1 - w.z(); }
 
 double half_sector(const PolygonDomain& polygon) { return pi / polygon.corners; }
 double apothem(const PolygonDomain& polygon) { return polygon.radius * std::cos(half_sector(polygon)); }
 
-// Between the given axes and those with the first corner on -x, where a turn starts.
+// Rotates the axes so that the first corner lies on -x, where turn() starts, or back.
 Eigen::Matrix2d from_first_corner(const PolygonDomain& polygon, double sign) {
   return Eigen::Rotation2Dd(sign * (polygon.rotation - pi)).toRotationMatrix();
 }

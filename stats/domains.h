@@ -6,10 +6,12 @@
 
 namespace fairlight {
 
-/// A domain is an image of the unit square that preserves areas up to one constant, `size()`, so that a density
-/// integrates over it as over the square, and cells of the square are cells of it. `at(s, t)` is the point of the
-/// square's (s, t); `coordinates(x)` the inverse. A one-dimensional domain ignores t, and gives 1/2 for it. Where t is a turn, `eighths(x)` is
-/// the same but for t, of which it gives the middle of its eighth: so much is known without an arc tangent.
+/// A domain maps the unit square onto a set and preserves area up to one constant, `size()`. So a
+/// density on the domain can be integrated over the square, and cells of the square are cells of
+/// the domain. `at(s, t)` maps the point (s, t) of the square to the domain; `coordinates(x)` is
+/// the inverse. A one-dimensional domain ignores t, and its inverse returns t = 1/2. Where t is an
+/// angle in turns, `eighths(x)` returns the middle of the eighth of a turn that holds t. It needs
+/// no arc tangent.
 
 /// The interval [low, high]. Points are numbers.
 struct IntervalDomain {
@@ -41,9 +43,10 @@ struct DiskDomain {
   Eigen::Vector2d eighths(const Eigen::Vector2d& x) const;
 };
 
-/// The regular polygon about the origin with the given number of corners, at the given distance, the first at an angle
-/// from +x. Each side and the origin make a triangle: equal steps along the side have equal areas, and equal steps of the
-/// squared distance from the origin across it.
+/// A regular polygon about the origin. `radius` is the distance of its corners, `rotation` the
+/// angle of the first corner from +x. Each side makes a triangle with the origin: equal steps along
+/// the side have equal areas, and so have equal steps of the squared distance of a line parallel to
+/// the side.
 struct PolygonDomain {
   double radius;
   int corners;
@@ -54,7 +57,7 @@ struct PolygonDomain {
   Eigen::Vector2d coordinates(const Eigen::Vector2d& x) const;
 };
 
-/// Directions with z >= 0, unit vectors. Equal heights have equal areas (Archimedes).
+/// The hemisphere of unit vectors with z >= 0. Equal heights have equal areas (Archimedes).
 struct HemisphereDomain {
   double size() const;
   Eigen::Vector3d at(double s, double t) const;
@@ -62,7 +65,8 @@ struct HemisphereDomain {
   Eigen::Vector2d eighths(const Eigen::Vector3d& w) const;
 };
 
-/// Directions about an axis, a unit vector, down to `height` = 1 - cos of the angle to it, in (0,2].
+/// The spherical cap of unit vectors w with 1 - w.axis <= `height`; the axis is a unit vector,
+/// `height` in (0,2].
 class CapDomain {
  public:
   explicit CapDomain(double height, const Eigen::Vector3d& axis = {0, 0, 1});
@@ -77,8 +81,9 @@ class CapDomain {
   Eigen::Matrix3d turned_;
 };
 
-/// The directions within 90 degrees of each of two unit vectors, neither equal nor opposite: a lune, whose horns lie
-/// on their cross product. Equal heights along that have equal areas, and so have equal angles about it.
+/// A lune: the directions within 90 degrees of both of two unit vectors, which are neither equal
+/// nor opposite. Its horns lie along their cross product. Equal heights along the cross product
+/// have equal areas, and so have equal angles about it.
 class LuneDomain {
  public:
   LuneDomain(const Eigen::Vector3d& first, const Eigen::Vector3d& second);
@@ -92,7 +97,7 @@ class LuneDomain {
   double width_;
 };
 
-/// The surface of a sphere, its points given as unit normals.
+/// The surface of a sphere; its points are given as unit normals.
 struct SphereDomain {
   double radius;
 
@@ -102,7 +107,7 @@ struct SphereDomain {
   Eigen::Vector2d eighths(const Eigen::Vector3d& n) const;
 };
 
-/// The numbers 0 .. n-1, whose "density" is a probability; one cell each.
+/// The integers 0 .. n-1. The "density" is a probability, and each integer is a cell.
 struct DiscreteDomain {
   std::int64_t n;
 

@@ -5,8 +5,8 @@ namespace fairlight {
 Evidence::Course::Course(const BettingTest& test)
     : sides_(test.sides()), refuting_(test.refuting()), certifying_(test.certifying()) {}
 
-// The last step stands for the present, and is kept for good when it is one in `stride`; when there are too many, every second
-// one goes.
+// The last step is the present state. It stays if its number is a multiple of `stride`; otherwise
+// the next call replaces it. When there are too many steps, every second one is dropped.
 void Evidence::Course::add(const BettingTest& test) {
   constexpr std::size_t most = 512;
   const std::uint64_t draws = test.moments().count();

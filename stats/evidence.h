@@ -10,9 +10,9 @@
 
 namespace fairlight {
 
-/// What a test saw, for people to look at and for accounts. Its own verdict does not ask it.
+/// What a test has observed, for reports and for the ledger. No verdict depends on it.
 struct Evidence {
-  /// A law's cells: row by row, how many draws fell in each and with which probability they should.
+  /// The cells of a law test, row by row: the number of draws in each, and its probability.
   struct Cells {
     int rows = 0;
     int columns = 0;
@@ -21,18 +21,19 @@ struct Evidence {
     double draws = 0;
   };
 
-  /// The course of a betting test.
+  /// The wealth of a betting test as a function of the number of draws.
   class Course {
    public:
     struct Step {
       std::uint64_t draws;
-      double mean;  ///< of the draws so far, in their own unit
+      double mean;  ///< of the draws so far, in the draws' unit
       Wealth wealth;
     };
 
     explicit Course(const BettingTest& test);
 
-    /// Where the test stands now. However long it is, a few hundred steps are kept.
+    /// Records the present state of the test. When there are more than 512 steps, drops every
+    /// second one.
     void add(const BettingTest& test);
 
     Sides sides() const { return sides_; }
@@ -48,19 +49,23 @@ struct Evidence {
     std::uint64_t seen_ = 0;
   };
 
-  /// Of a claim whose parts are the cells of a grid, such as tiles of a picture: the bias of each in units of its margin, row by row.
+  /// For a claim about a grid of cells, such as the tiles of a picture: the bias of each cell
+  /// divided by its margin, row by row.
   struct Tiles {
     int columns = 0;  ///< 0 where there are no tiles
     std::vector<double> biases;
   };
 
   std::vector<Cells> laws;
-  std::vector<Course> means;  ///< one a channel; of a mean in parts, those of the first and then those of the next
+  /// One per channel. A mean that is tested in parts lists the channels of the first part, then
+  /// those of the next.
+  std::vector<Course> means;
   Tiles tiles;
-  MarginGrid margin_grid;  ///< one a channel, for an evidence_sum of many runs
+  MarginGrid margin_grid;  ///< one entry per channel, for the EvidenceSum of many runs
 
-  /// Who wants the draws of a test of means themselves: told at its end (of a mean in parts, at the end of each) what was claimed of
-  /// them, where they come from, and how many the test took. Those, and any beyond, may be drawn again while it listens, where a draw is a function of its number.
+  /// Called when a test of means ends (once per part, for a mean that is tested in parts) with the
+  /// references, the source of the draws and the number of draws that the test took. Where a draw
+  /// is a function of its index, the callback may draw the same draws again, and further ones.
   std::function<void(const std::vector<Reference>& references, const DrawBlock& draw_block, std::uint64_t draws)>
       listener{};
 };

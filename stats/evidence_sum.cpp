@@ -10,7 +10,7 @@ namespace fairlight {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr int rungs_a_run = 12;  // a factor of 45
+constexpr int rungs_a_run = 12;  // finest margin = coarsest / 45
 
 bool certifies(const EvidenceSum::Sum& sum, double threshold) {
   return sum.not_brighter >= threshold && sum.not_darker >= threshold;
@@ -53,7 +53,7 @@ EvidenceSum::EvidenceSum(const MarginGrid& run) : first_(run.first) {
   }
 }
 
-// Makes the margin_grid begin at a rung or above it, and end at one or below it.
+// Extends the levels to begin at `first` or before, and to end at `end` or after.
 void EvidenceSum::reach(int first, std::size_t end) {
   for (auto& channel : channels_) {
     if (first < first_) channel.insert(channel.begin(), static_cast<std::size_t>(first_ - first), channel.front());
@@ -90,7 +90,8 @@ void EvidenceSum::append(EvidenceSum later) {
   }
 }
 
-// The rungs above the first, which say what it says, are as many more of it; those below the last say nothing.
+// The levels before the first count like the first, so it has their weight too; those after the
+// last have no evidence.
 bool EvidenceSum::biased(double alpha) const {
   double top = 0;
   for (const auto& channel : channels_) {

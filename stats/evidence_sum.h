@@ -6,40 +6,43 @@
 
 namespace fairlight {
 
-/// The margins at which the evidence of runs is added up, whatever their own margins were: 1, 0.71, 0.5, 0.35, ..., relative.
+/// The margin grid: evidence is summed at the relative margins 2^(-level/2) = 1, 0.71, 0.5, 0.35,
+/// ..., whatever the margins of the runs are.
 inline constexpr int rungs = 64;
 double margin_of_rung(int rung);
 
-/// What one run says of a claim: for each channel, the wealth of processes that bet for the margins of a few rungs, from the run's
-/// own margin down to a thirty-second of it. What is not claimed counts as shown, and is never refuted: its logarithms are
-/// infinite and 0.
+/// The evidence of one run for a claim: for each channel, the log wealths at a range of grid
+/// levels, from about the run's own margin down to 1/32 of it or less. For a one-sided claim the
+/// side that is allowed counts as certified (log wealth infinite) and never as refuted (log wealth
+/// 0).
 struct MarginGrid {
-  int first = 0;                              ///< rung
-  std::vector<std::vector<Wealth>> channels;  ///< [channel][rung - first]
+  int first = 0;                              ///< level of the first entry of each channel
+  std::vector<std::vector<Wealth>> channels;  ///< [channel][level - first]
 };
 
-/// The rungs of a run of this relative margin, in (0,1): the first is the finest that is no finer than it.
+/// The grid levels of a run with this relative margin, in (0,1). The first is the finest grid
+/// margin that is at least the run's margin.
 int first_level(double margin);
 std::vector<int> rungs_of_run(double margin);
 
-/// What a test says at those rungs; `scale` makes a margin absolute.
+/// The log wealths of a test at those levels. `scale` times a relative margin is the absolute one.
 std::vector<Wealth> wealth_at_rungs(const BettingTest& test, double margin, double scale);
 
-/// A draw that the claim rules out: evidence without end that it is false.
+/// The evidence of a draw that the claim excludes: infinite wealth against the claim.
 MarginGrid refuted_ladder(double margin, std::size_t channels);
 
-/// What independent runs say together. A product of independent e-values is one, so a run multiplies the wealth that those
-/// before it left; logarithms add up.
-///
-/// Guarantee, over all the runs that an account will ever hold, at any time that one looks (Ville's inequality, on the
-/// sequence of runs): it says `biased` of a right claim with probability at most alpha; and the margin that it certifies is
-/// at most the bias of a wrong one with probability at most beta. For the latter the rungs are taken from the coarsest to the
-/// finest, each only after those before it, so that they share one beta; and as what is shown stays shown, the greatest wealth
-/// counts that the runs so far have left. What is held against a bias as large as one rung's holds against a larger one, so a run
-/// says of the rungs above its first what it says of the first. Sources: Shafer 2021, "Testing by betting"; Ville 1939.
+/// The evidence of independent runs. A product of independent e-values is an e-value, so the log
+/// wealths of the runs add up.
+/// Guarantee, over all runs that are ever added and at any time (Ville's inequality on the sequence
+/// of runs): a right claim is called `biased` with probability at most alpha; the certified margin
+/// is at most the true bias with probability at most beta. Levels are certified from the coarsest
+/// to the finest, each only after all coarser ones, so they share one beta. The largest certifying
+/// wealth so far counts. A run's first level stands for all coarser levels.
+/// Source   Shafer 2021, "Testing by betting"; Ville 1939
 class EvidenceSum {
  public:
-  /// Of one channel at one rung: logarithms of products over runs, and the greatest that the two which certify have been.
+  /// One channel at one level: the sums of log wealths over the runs, and the largest values so far
+  /// of the two sums that certify.
   struct Sum {
     Wealth total{};
     double not_brighter = 0;
@@ -50,24 +53,24 @@ class EvidenceSum {
   explicit EvidenceSum(const MarginGrid& run);
   EvidenceSum(int first, std::vector<std::vector<Sum>> channels) : first_(first), channels_(std::move(channels)) {}
 
-  /// Adds runs that came after. Throws std::invalid_argument when they have other channels.
+  /// Adds runs that are later. Throws std::invalid_argument when the number of channels differs.
   void append(EvidenceSum later);
 
   bool empty() const { return channels_.empty(); }
   int first() const { return first_; }
   const std::vector<std::vector<Sum>>& channels() const { return channels_; }
 
-  /// By the mixture of all channels, rungs and sides, each with the same weight.
+  /// Whether the mixture of all channels, levels and sides, with equal weights, reaches 1/alpha.
   bool biased(double alpha) const;
 
-  /// The finest margin that is certified in all channels, relative; infinite where none is.
+  /// The finest relative margin that is certified in all channels; infinite if there is none.
   double certified_margin(double beta) const;
 
  private:
   void reach(int first, std::size_t end);
 
   int first_ = 0;
-  std::vector<std::vector<Sum>> channels_;  // [channel][rung - first_]
+  std::vector<std::vector<Sum>> channels_;  // [channel][level - first_]
 };
 
 }  // namespace fairlight

@@ -19,7 +19,7 @@ constexpr int unit_exponent = ExactSums::finest;
 constexpr std::size_t sum_begin = 1;
 constexpr std::size_t squares_begin = 4;
 
-// words += addend << (64 place); true when a carry leaves the top.
+// words += addend << (64 place). Returns true if the top word overflows.
 bool add_at(std::span<std::uint64_t> words, std::size_t place, Uint128 addend) {
   while (addend != 0) {
     if (place == words.size()) return true;
@@ -30,7 +30,7 @@ bool add_at(std::span<std::uint64_t> words, std::size_t place, Uint128 addend) {
   return false;
 }
 
-// words += value << shift, where value has at most 106 bits.
+// words += value << shift, for a value of at most 106 bits. Returns true on overflow.
 bool add_shifted(std::span<std::uint64_t> words, Uint128 value, int shift) {
   const auto place = static_cast<std::size_t>(shift / 64);
   const int bits = shift % 64;
@@ -112,7 +112,7 @@ void ExactMoments::add(const ExactSums& draws) {
   if (over) refuse_sum();
 }
 
-void ExactMoments::merge(ExactMoments other) {  // by value: merging with itself doubles
+void ExactMoments::merge(ExactMoments other) {  // by value, so that x.merge(x) works
   words_[0] += other.words_[0];
   bool over = false;
   const auto merge_words = [&](std::size_t begin, std::size_t size) {

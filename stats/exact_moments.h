@@ -9,34 +9,38 @@
 
 namespace fairlight {
 
-/// Count, sum and sum of squares of nonnegative draws, without any rounding after a draw has entered: however the
-/// draws are split into parts, and in whatever order the parts are merged, the same words come out.
-///
-/// A draw in [0, 2^64) enters as the nearest multiple of 2^-96 (so draws from 1e-13 up enter as they are), and both
-/// sums are fixed-point integers: 192 bits of unit 2^-96, 384 bits of unit 2^-192. The variance is computed from
-/// n sum(x^2) - (sum x)^2 as an integer, which is never negative, and is zero when all draws are equal.
-/// Source: Kulisch and Miranker 1981 (the long accumulator).
+/// The count, sum and sum of squares of nonnegative draws, as integers. They do not depend on how
+/// the draws are split into parts, or on the order in which the parts are merged.
+/// A draw in [0, 2^64) is rounded to the nearest multiple of 2^-96 (draws from 1e-13 up are exact);
+/// sums and merges do not round. The sum is fixed-point with 192 bits in units of 2^-96, the sum of
+/// squares with 384 bits in units of 2^-192. The variance comes from the integer n sum(x^2) - (sum
+/// x)^2: never negative, and 0 when all draws are equal.
+/// Source   Kulisch and Miranker 1981 (the long accumulator)
 class ExactMoments {
  public:
   static constexpr std::size_t word_count = 10;
-  /// The whole state: the count, three words of the sum, six of the sum of squares, least significant first.
+  /// The whole state: the count, three words of the sum and six of the sum of squares, each least
+  /// significant word first.
   using Words = std::array<std::uint64_t, word_count>;
 
   ExactMoments() = default;
   explicit ExactMoments(const Words& words) : words_(words) {}
 
-  /// Throws std::domain_error when x is negative, not a number, or 2^64 and more; the state is then unchanged.
+  /// Throws std::domain_error when x is negative, NaN, or 2^64 or more; the state is then
+  /// unchanged.
   /// Throws std::overflow_error when the sum reaches 2^96.
   void add(double x);
 
-  /// As if each of the draws were added alone, floats in a few cycles each. Throws as they would; none is added where one is refused.
+  /// The same as adding each draw alone, in a few cycles per float. Throws as that would; if a draw
+  /// is not accepted, none is added.
   void add(std::span<const float> draws) {
     if (const auto sums = ExactSums::of(draws)) return add(*sums);
     add_in_parts(draws);
   }
   void add(std::span<const double> draws);
 
-  /// As if each of the draws were added alone that are summed up. Throws as add does for the sum.
+  /// The same as adding each of the summed draws alone. Throws std::overflow_error when the sum
+  /// reaches 2^96.
   void add(const ExactSums& draws);
 
   /// Throws std::overflow_error when the sum reaches 2^96.
@@ -45,9 +49,9 @@ class ExactMoments {
   std::uint64_t count() const { return words_[0]; }
   /// 0 before the first draw.
   double mean() const;
-  /// The unbiased variance of one draw; infinity with fewer than two draws, where nothing is known of it.
+  /// The unbiased variance of one draw; infinite with fewer than two draws.
   double variance() const;
-  /// The standard error of the mean, sqrt(variance / count); infinity with fewer than two draws.
+  /// The standard error of the mean, sqrt(variance / count); infinite with fewer than two draws.
   double standard_error() const;
 
   const Words& words() const { return words_; }

@@ -10,25 +10,26 @@
 
 namespace fairlight {
 
-/// Floats and their squares, summed up to the last digit by doubles: of few draws, whose exponents are not far from the lowest, in units
-/// of that one's last digit. A square is split where both parts have room to add up. All of it is here to be compiled for the
-/// instructions of whoever has the floats: by the widest it takes a third of the time.
+/// Exact sums of at most 64 floats and of their squares, computed in doubles. It needs draws whose
+/// exponents lie close together. The unit is the last digit of the lowest exponent. A square is
+/// split into two parts, so that each part has room to be summed without rounding. Inline, to be
+/// compiled for the caller's instruction set: with the widest it takes a third of the time.
 class ExactSums {
  public:
   __extension__ using Int128 = __int128;
   static constexpr std::size_t most = 64;
   static constexpr int finest = -96;  ///< draws are multiples of 2^finest, as in ExactMoments
 
-  /// Of at most so many draws. Nothing for more, or where they must be looked at one by one: those that are no draws of ExactMoments,
-  /// none but zeros, finer than its unit, or too far apart.
-  /// Nothing at all in code that is compiled with -ffast-math, which leaves out (x + shift) - shift.
+  /// The sums, or nothing for draws that must be added one by one: more than 64, all of them zero,
+  /// a value that ExactMoments does not accept or that is not a multiple of 2^-96, or exponents too
+  /// far apart. Always nothing under -ffast-math, which would remove (x + shift) - shift.
   static std::optional<ExactSums> of([[maybe_unused]] std::span<const float> draws) {
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
     return std::nullopt;
 #else
     if (draws.size() > most) return std::nullopt;
     std::uint32_t largest = 0;
-    std::uint32_t least_but_zero = 0xFFFFFFFF;  // less one
+    std::uint32_t least_but_zero = 0xFFFFFFFF;  // the least bits of a nonzero draw, less one
     for (float x : draws) {
       const auto bits = std::bit_cast<std::uint32_t>(x);
       largest = std::max(largest, bits);
@@ -42,18 +43,20 @@ class ExactSums {
   }
 
   std::uint64_t count() const { return count_; }
-  /// The unit of the sum is 2^unit, that of the squares its square.
+  /// The sum is in units of 2^unit, the sum of squares in units of 2^(2 unit).
   int unit() const { return unit_; }
   Int128 sum() const { return units(sum_, unit_); }
   Int128 squares() const { return (Int128{units(upper_, 2 * unit_ + split)} << split) + units(lower_, 2 * unit_); }
 
  private:
-  // A float is significand * 2^(exponent - 150), its significand below 2^24. Draws are zeros, or of exponents from `lowest` to
-  // lowest + range, so that their sum is below 2^53 units; 2^48 is the unit of the squares' upper parts, whose sum is then too.
+  // A float is significand * 2^(exponent - 150) with significand < 2^24. The draws are zero or have
+  // exponents from `lowest` to `lowest + range`, so their sum is below 2^53 units. The upper parts
+  // of the squares are multiples of 2^48 units, so their sum is exact too.
   static constexpr std::uint32_t range = 23;
-  static constexpr std::uint32_t whole = 150 + finest;  // from this exponent on all are multiples of 2^finest
+  // From this exponent on, all floats are multiples of 2^finest.
+  static constexpr std::uint32_t whole = 150 + finest;
   static constexpr int split = 48;
-  static constexpr std::size_t width = 8;  // side by side, in registers
+  static constexpr std::size_t width = 8;  // partial sums, for SIMD registers
   using Parts = std::array<double, width>;
 
   ExactSums(std::span<const float> draws, std::uint32_t lowest)
@@ -65,7 +68,7 @@ class ExactSums {
     for (std::size_t k = 0; k < draws.size(); ++k) add(draws[k], shift, k);
   }
 
-  // To add 1.5 * 2^52 times the upper unit leaves no digit below that unit.
+  // Adding 1.5 * 2^52 times the upper unit rounds the square to a multiple of that unit.
   void add(float draw, double shift, std::size_t k) {
     const auto x = static_cast<double>(draw);
     const double square = x * x;

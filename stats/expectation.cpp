@@ -16,7 +16,7 @@ namespace {
 constexpr double budget = 1e-6;
 constexpr double miss_rate = 0.01;
 
-// One seed for the whole program, so that one token replays all of it.
+// One seed for the whole program, so one seed replays all of it.
 std::uint64_t program_seed() {
   static const std::uint64_t seed = [] {
     const char* text = std::getenv("FAIRLIGHT_SEED");
@@ -25,14 +25,14 @@ std::uint64_t program_seed() {
   return seed;
 }
 
-// A histogram of sixteen bars; draws that are no numbers are left to the note.
+// A histogram with 16 bars. Ignores NaNs and infinities, which the finding's note reports.
 std::string histogram(std::vector<double> sample) {
   constexpr std::size_t bars = 16;
   std::erase_if(sample, [](double x) { return !std::isfinite(x); });
   if (sample.empty()) return {};
   const auto [least, greatest] = std::minmax_element(sample.begin(), sample.end());
   const double low = *least;
-  const double width = *greatest / bars - low / bars;  // the difference of the two may be infinite
+  const double width = *greatest / bars - low / bars;  // greatest - low could overflow
   if (width == 0) return formatted("  all of %zu draws are %g\n", sample.size(), low);
   std::array<std::size_t, bars> counts{};
   for (double x : sample) ++counts[std::min(static_cast<std::size_t>(x / width - low / width), bars - 1)];

@@ -12,65 +12,71 @@
 
 namespace fairlight {
 
-/// The generator that estimators under test are given. Seeded from the run's token and the claim's name.
+/// The generator that is passed to estimators under test. Its seed comes from the run's seed and
+/// the claim's name.
 using Generator = std::mt19937_64;
 
-/// What a test framework makes of a finding.
+/// A finding in the form that a test framework needs.
 struct Expectation {
   bool met;
-  std::string message;  ///< verdict, numbers, a table, and how to replay; worth reading when it is not met
+  /// The verdict, the numbers, a histogram and how to replay; for the reader of a failure.
+  std::string message;
 };
 
-/// Where an expectation stands, which gives it its share of the false alarms and its random numbers.
+/// The place of an expectation in a test program. It determines the expectation's share of the
+/// false alarms and its random numbers.
 struct Site {
-  std::string name;       ///< of the test, unique in the program
-  std::uint64_t tests;    ///< in the whole program, whatever subset runs
-  std::uint64_t ordinal;  ///< of the expectation in its test: 1, 2, ...
+  std::string name;       ///< name of the test, unique in the program
+  std::uint64_t tests;    ///< number of tests in the whole program, whatever subset runs
+  std::uint64_t ordinal;  ///< number of the expectation in its test: 1, 2, ...
   std::string replay;     ///< how to run the test again, without the seed
 };
 
-/// The trial at a site. The budget of 1e-6 is shared evenly among the program's tests, and within a test the k-th
-/// expectation has 6 / (pi k)^2 of it, which adds up to one however many there are: no list of expectations is
-/// needed, and running a subset changes no share. The seed is FAIRLIGHT_SEED (hexadecimal) where that is set, else
-/// fresh. Throws std::invalid_argument for a margin outside (0,1) or a seed that cannot be read.
+/// The trial at a site. The program's tests share the false-alarm budget of 1e-6 equally. Within a
+/// test the k-th expectation has the part 6 / (pi k)^2, which sums to 1 over all k. So no list of
+/// expectations is needed, and running a subset changes no share. The seed is FAIRLIGHT_SEED
+/// (hexadecimal) if that is set, otherwise fresh. Throws std::invalid_argument for a margin outside
+/// (0,1) or a seed that cannot be parsed.
 Trial trial_at(const Site& site, double margin);
 
-/// A generator for a trial's claim; `purpose` sets apart several of one claim.
+/// A generator for a trial's claim. Different values of `purpose` give independent generators.
 Generator generator_for(const Trial& trial, const std::string& purpose = "");
 
-/// A mean with a range that holds for every draw: tested exactly, by betting.
+/// A mean whose draws all lie in [lower, upper]: tested exactly, by betting.
 inline Reference bounded(double mean, double lower, double upper) {
   return {mean, lower, upper, 0, std::abs(mean)};
 }
 
-/// The mean of `estimator(generator)` is the reference to within the relative margin. With a number for a reference
-/// the draws have no declared range, and the test is asymptotic; with `bounded(...)` it is exact.
+/// Expects that the mean of `estimator(generator)` is the reference, within the relative margin.
+/// With a plain number the draws have no declared range and the test is asymptotic; with
+/// `bounded(...)` it is exact.
 template <class Estimator>
 Expectation expect_unbiased(const Site& site, Estimator&& estimator, const Reference& reference, double margin);
 template <class Estimator>
 Expectation expect_unbiased(const Site& site, Estimator&& estimator, double reference, double margin);
 
-/// `sampler(generator)` gives points that follow `density(point)` over the domain (see stats/domains.h); the margin
-/// is a relative L2 distance of laws.
+/// Expects that the points `sampler(generator)` follow `density(point)` over the domain (see
+/// stats/domains.h). The margin is a relative L2 distance between laws.
 template <class Sampler, class Pdf, class Domain>
 Expectation expect_follows(const Site& site, Sampler&& sampler, Pdf&& density, const Domain& domain,
                            double margin = 0.01);
 
-/// Two estimators have one mean, to within the margin relative to `b`'s mean in a discarded pilot, which sets the
-/// scale and nothing else. By Welch's test.
+/// Expects that two estimators have the same mean, by Welch's test. The margin is relative to the
+/// mean of `b` in a discarded pilot, which has no other use.
 template <class A, class B>
 Expectation expect_agree(const Site& site, A&& a, B&& b, double margin);
 
 namespace detail {
 
-/// The message for a finding; `sample` is drawn as a histogram.
+/// The expectation for a finding; the message shows `sample` as a histogram.
 Expectation judge(const Site& site, const Trial& trial, const std::string& claim, const Finding& finding,
                   const std::vector<double>& sample);
 
-/// The size of a pilot's mean; 1 where that is 0 or not finite, as then the draws themselves show what is wrong.
+/// The absolute mean of a pilot; 1 where it is 0 or not finite, as the draws themselves then show
+/// the fault.
 double scale_of(const std::vector<double>& pilot);
 
-/// Fills channels from draw(), in order.
+/// Fills the first channel with draw(), in order.
 template <class Draw>
 DrawBlock one_by_one(Draw& draw) {
   return [&draw](std::uint64_t, std::vector<std::vector<double>>& channels) {

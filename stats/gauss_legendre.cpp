@@ -7,7 +7,8 @@ namespace fairlight {
 template <std::size_t Nodes>
 const GaussLegendre<Nodes>& gauss_legendre() {
   static const auto rule = [] {
-    using Boost = boost::math::quadrature::gauss<double, Nodes>;  // on [-1,1], the nodes above 0
+    // On [-1,1]; lists the nodes above 0.
+    using Boost = boost::math::quadrature::gauss<double, Nodes>;
     GaussLegendre<Nodes> unit;
     for (std::size_t i = 0; i < Nodes / 2; ++i) {
       unit.reach[i] = Boost::abscissa()[i] / 2;

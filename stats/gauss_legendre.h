@@ -5,15 +5,15 @@
 
 namespace fairlight {
 
-/// The rule of Gauss and Legendre on [0,1], of an even number of nodes, which come in pairs: nodes
-/// 1/2 - reach[i] and 1/2 + reach[i], each with the weight weight[i]. The weights sum to 1/2.
+/// The Gauss-Legendre rule on [0,1] with an even number of nodes. The nodes come in pairs 1/2 -
+/// reach[i] and 1/2 + reach[i], both of weight weight[i]. The weights of one half sum to 1/2.
 template <std::size_t Nodes>
 struct GaussLegendre {
   static_assert(Nodes % 2 == 0, "the nodes of an odd rule are not all in pairs");
   std::array<double, Nodes / 2> reach, weight;
 };
 
-/// The rule of 16, 24 or 48 nodes. Source: Boost.Math has the nodes.
+/// The rule with 16, 24 or 48 nodes, from Boost.Math.
 template <std::size_t Nodes>
 const GaussLegendre<Nodes>& gauss_legendre();
 

@@ -5,18 +5,16 @@
 #include <fairlight/stats/domains.h>
 #include <fairlight/stats/expectation.h>
 
-/// Expectations for GoogleTest. Needs GoogleTest, which fairlight::stats itself does not.
-///
-///   EXPECT_UNBIASED(estimator, reference, margin)   estimator(generator) has this mean; reference a number, or
-///                                                   bounded(mean, lower, upper) for an exact test
-///   EXPECT_FOLLOWS(sampler, density, domain)        sampler(generator) follows density(point) over the domain
-///   EXPECT_AGREE(a, b, margin)                      two estimators have one mean
-///
-/// The manifest is GoogleTest's own list of tests, so the share of an expectation does not depend on
-/// --gtest_filter. Set FAIRLIGHT_SEED to replay what a failure printed.
+/// Expectations for GoogleTest. This header needs GoogleTest; fairlight::stats itself does not.
+///   EXPECT_UNBIASED(estimator, reference, margin)  estimator(generator) has this mean, a number
+///                                                  or bounded(mean, lower, upper), an exact test
+///   EXPECT_FOLLOWS(sampler, density, domain)       sampler(generator) follows density(point)
+///   EXPECT_AGREE(a, b, margin)                     two estimators have the same mean
+/// The shares of the budget come from GoogleTest's list of all tests, so --gtest_filter changes
+/// none. Set FAIRLIGHT_SEED to the seed that a failure prints to replay it.
 namespace fairlight {
 
-/// The site of the next expectation in the running test. Throws std::logic_error outside of a test.
+/// The site of the next expectation in the running test. Throws std::logic_error outside a test.
 inline Site googletest_site() {
   const auto* program = ::testing::UnitTest::GetInstance();
   const auto* test = program->current_test_info();

@@ -8,7 +8,8 @@
 namespace fairlight {
 namespace {
 
-// P(sqrt(n) D <= x) in the limit, by the series that converges fast for small x or the one for large.
+// The limit of P(sqrt(n) D <= x), by one series for small x and another for large x, where each
+// converges fast.
 double limiting_law(double x) {
   constexpr double pi = std::numbers::pi;
   double sum = 0;

@@ -29,7 +29,8 @@ Finding undecided(const Trial& trial, const std::string& why) {
   return with_token(trial, finding);
 }
 
-// What the statistic says of the distance between the two laws: each end wrong with probability beta.
+// A confidence interval of the distance between the two laws; each end is wrong with probability
+// beta.
 Interval distance_interval(const ChiSquare& result, double draws, double beta) {
   const auto distance = [&](double probability_below) {
     if (boost::math::cdf(boost::math::chi_squared(result.degrees), result.statistic) <= probability_below)
@@ -41,18 +42,19 @@ Interval distance_interval(const ChiSquare& result, double draws, double beta) {
   return {distance(1 - beta), distance(beta)};
 }
 
-// The first cell whose count its binomial law rules out at level alpha, both tails, all cells together; -1 if none.
+// The first cell whose count has a binomial tail below alpha / (2 cells), so that all cells and
+// both tails together have level alpha; -1 if there is none.
 int wrong_cell(const std::vector<std::uint64_t>& counts, const LawCells& cells, std::uint64_t draws, double alpha) {
   const double level = alpha / (2 * static_cast<double>(counts.size()));
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (cells.probabilities[i] == 0) continue;  // chi_square refuses a hit there
+    if (cells.probabilities[i] == 0) continue;  // chi_square throws if it has draws
     const CellTails tails = cell_tails(counts[i], static_cast<double>(draws), cells.probabilities[i]);
     if (tails.too_few < level || tails.too_many < level) return static_cast<int>(i);
   }
   return -1;
 }
 
-// What counts say at one look, which has `part` of the error rates.
+// The finding of one look, which has the fraction `part` of alpha and beta.
 Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts,
                std::uint64_t draws, double part) {
   const ChiSquare result = chi_square(counts, cells.probabilities);
@@ -74,13 +76,14 @@ Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std:
   return finding;
 }
 
-// When counts are looked at, as numbers of draws, and the part of the error rates that a look has.
+// The looks: their numbers of draws, and the fraction of alpha and beta that each has.
 struct Looks {
   std::vector<std::uint64_t> at;
   double part;
 };
 
-// Right laws mostly have their verdict at one of the first two. None is taken where cells are pooled otherwise than at the last.
+// Right laws mostly have their verdict at the first or second look. Drops the looks at which the
+// cells are pooled differently than at the last.
 Looks looks_for(const Trial& trial, const std::vector<double>& probabilities) {
   std::vector<double> shares{0.25, 0.35, 0.5, 1};
   for (;;) {
@@ -94,7 +97,7 @@ Looks looks_for(const Trial& trial, const std::vector<double>& probabilities) {
   }
 }
 
-// What counts say at a look, or that they cannot be what they are said to be.
+// The finding of one look; biased or undecided if the counts are not valid.
 Finding seen(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts,
              std::uint64_t draws, double part) try {
   if (std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}) != draws) {

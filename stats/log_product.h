@@ -4,8 +4,9 @@
 
 namespace fairlight {
 
-/// The logarithm of a product of positive factors, in a tenth of the time that a sum of their logarithms takes: a product above 9e99 or
-/// below its inverse is brought back by a power of two, so no factors of 1e-99 to 1e99 make it leave the range of a double.
+/// The logarithm of a product of positive factors, in a tenth of the time that a sum of logarithms
+/// takes. A product above 2^332 (9e99) or below its inverse is rescaled by that power of two, so
+/// factors from 1e-99 to 1e99 never overflow a double.
 class LogProduct {
  public:
   void multiply(double factor) {
@@ -30,7 +31,7 @@ class LogProduct {
   }
 
   double product_ = 1;
-  int shifts_ = 0;  // the product is product_ step^shifts_: with fewer than none at most 1
+  int shifts_ = 0;  // the product is product_ * step^shifts_; below 0 it is at most 1
 };
 
 }  // namespace fairlight

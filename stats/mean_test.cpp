@@ -11,7 +11,8 @@ namespace {
 
 bool open(const BettingTest& test) { return test.verdict() == Verdict::undecided; }
 
-// The next block of the open tests; none where nothing is open, or one says `biased`.
+// The size of the next block: the least that an open test asks for. 0 if no test is open, or if one
+// is `biased`.
 std::uint64_t next_block(const std::vector<BettingTest>& tests) {
   if (std::ranges::any_of(tests, [](const BettingTest& t) { return t.verdict() == Verdict::biased; })) return 0;
   std::uint64_t block = 0;
@@ -23,7 +24,7 @@ std::uint64_t next_block(const std::vector<BettingTest>& tests) {
   return block;
 }
 
-// When the open tests will have their verdicts, or lose patience.
+// The number of draws at which the open tests give up, and that at which they should have verdicts.
 struct Plan {
   double patience = 0;
   double expected = 0;
@@ -37,20 +38,20 @@ struct Plan {
   }
 };
 
-// The courses of the tests, which are the last of the evidence.
+// Updates the courses of these tests, the last ones in the evidence.
 void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
   const std::size_t first = evidence.means.size() - tests.size();
   for (std::size_t c = 0; c < tests.size(); ++c) evidence.means[first + c].add(tests[c]);
 }
 
-// Runs the tests to their verdicts, or until the last of them has lost patience or there are no more draws; returns a note if no verdict
-// came.
+// Runs the tests until all have verdicts, one is biased, the cap is reached, there are no more
+// draws, or `watch` ends the test. Returns a note if there is no verdict.
 std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawBlock& draw_block) try {
   std::vector<std::vector<double>> channels(tests.size());
   if (trial.evidence != nullptr) {
     for (const BettingTest& test : tests) trial.evidence->means.emplace_back(test);
   }
-  std::uint64_t looks = 0;  // after so many draws, and then after every 64th part of them
+  std::uint64_t looks = 0;  // next number of draws at which to plan: every 1/64 of the draws
   for (std::uint64_t drawn = 0;;) {
     const std::uint64_t block = next_block(tests);
     if (block == 0) return {};
@@ -77,7 +78,7 @@ void tell_listener(const Trial& trial, const std::vector<Reference>& references,
   trial.evidence->listener(references, draw_block, draws);
 }
 
-// Adds channels to the margin_grid of a claim, which may make several tests.
+// Appends channels to the claim's margin grid; a claim may run several tests.
 void leave_ladder(const Trial& trial, const MarginGrid& margin_grid) {
   if (trial.evidence == nullptr) return;
   MarginGrid& all = trial.evidence->margin_grid;
@@ -94,14 +95,15 @@ MarginGrid ladder_of(const Trial& trial, const std::vector<BettingTest>& tests,
   return margin_grid;
 }
 
-// The bias of the worst channel over a few draws, for the report alone: the verdict rests on a draw out of its
-// range.
+// The largest bias of a channel over up to 4096 draws. For the report only; the verdict comes from
+// a draw outside its range.
 double rough_bias(const std::vector<Reference>& references, const DrawBlock& draw_block) {
   std::vector<std::vector<double>> channels(references.size(), std::vector<double>(4096));
   try {
     draw_block(0, channels);
-  } catch (const BadDraw& bad) {  // which ends the block: those before it
+  } catch (const BadDraw& bad) {
     if (bad.draw() == 0) return std::numeric_limits<double>::quiet_NaN();
+    // The draws before the bad one.
     for (std::vector<double>& channel : channels) channel.resize(bad.draw());
   }
   double worst = 0;
@@ -112,8 +114,7 @@ double rough_bias(const std::vector<Reference>& references, const DrawBlock& dra
   return worst;
 }
 
-// A range that is declared holds when it is wider as well: where the margin leads out of it, it is made so wide that the mean with
-// its margin lies inside.
+// Widens the range, which stays valid, where the reference and its margin would not lie inside it.
 MeanHypothesis hypothesis_of(const Reference& r, double relative_margin) {
   const double margin = relative_margin * r.scale;
   return {r.mean,
@@ -134,8 +135,8 @@ std::vector<BettingTest> tests_of(const Trial& trial, const std::vector<Referenc
   return tests;
 }
 
-// An interval that reaches biases which a one-sided claim allows has all of them: its end there is
-// open. One that does not, of a mean on the wrong side, has both ends.
+// For a one-sided claim, opens the interval's end on the allowed side, unless the interval lies
+// wholly on the excluded side.
 Interval with_open_side(Interval bias, Sides sides) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (sides == Sides::not_above && bias.lo <= 0) bias.lo = -infinite;
@@ -155,7 +156,8 @@ Finding finding_of(const BettingTest& test, const Reference& reference, double m
           reference.rounding};
 }
 
-// How far off a channel is: the way that a one-sided claim excludes, where the other end is open.
+// The size of a channel's bias; for a one-sided claim, whose interval has an open end, its value in
+// the excluded direction.
 double size_of_bias(const Finding& finding) {
   const bool open_below = std::isinf(finding.interval.lo);
   const bool open_above = std::isinf(finding.interval.hi);

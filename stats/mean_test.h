@@ -9,44 +9,51 @@
 
 namespace fairlight {
 
-/// What is claimed of one channel of an estimator. All in the estimator's unit.
+/// The claim about one channel of an estimator, in the estimator's unit.
 struct Reference {
   double mean;
-  double lower;  ///< no draw is below
-  double upper;  ///< no draw is above; or, with a tail slack, E[(X - upper)+] <= tail_slack
+  double lower;  ///< no draw is below it
+  double upper;  ///< no draw is above it; with a tail slack, E[(X - upper)+] <= tail_slack
   double tail_slack = 0;
-  double scale =
-      mean;  ///< what margin and bias are relative to; for a difference, where the mean is 0, its terms' mean
+  /// What margin and bias are divided by. For a difference, whose mean is 0, the mean of its terms.
+  double scale = mean;
   Sides sides = Sides::both;
-  double rounding = 0;  ///< of the arithmetic, relative to scale: a bias up to it is not called one
+  /// The rounding error of the arithmetic, divided by scale. A bias up to it does not count as
+  /// bias.
+  double rounding = 0;
 };
 
-/// The finest margin that a test of these can be asked for, as a rounding may be a quarter of it. In double 0: any.
+/// The finest margin that a test of these references admits: four times the largest rounding. 0 in
+/// double, where any margin is admitted.
 double finest_margin(const std::vector<Reference>& references);
 
-/// Fills channels[c][i] with channel c of draw first + i, for every i. The channels come with their size.
+/// Fills channels[c][i] with channel c of draw first + i, for every i. The caller sets the sizes.
 using DrawBlock = std::function<void(std::uint64_t first, std::vector<std::vector<double>>& channels)>;
 
-/// The core test on every channel of an estimator, each with an equal part of alpha. Certified when
-/// all channels are, biased when one is; a draw that the reference rules out is `biased` too, named
-/// in the note. Undecided when the cap on draws comes first, which on right code is as rare as a
-/// false alarm. Guarantee: exact. The finding shows the channel of the largest bias, of a one-sided
-/// claim the way that it excludes. Throws std::invalid_argument for no references, or one that
-/// cannot be tested.
+/// The core test on every channel of an estimator; each channel has an equal part of alpha.
+/// Certified when all channels are, biased when one is, undecided when the cap on draws comes first
+/// (on right code as rare as a false alarm). A draw outside its range is `biased`, with a note that
+/// names it.
+/// Guarantee: exact. The finding shows the channel with the largest bias; for a one-sided claim,
+/// the largest in the excluded direction. Throws std::invalid_argument for no references, or for
+/// one that cannot be tested.
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block);
 
-/// The same, channel by channel. Where a draw is out of its range, which ends the test, all have the finding that says so.
+/// The same, one finding per channel. A draw outside its range ends the test; every channel then
+/// gets the finding that names it.
 std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Reference>& references,
                                     const DrawBlock& draw_block);
 
-/// What the channels of a claim say together: the finding of the largest bias, with the worst verdict and the most draws.
+/// One finding for all channels: that of the largest bias, with the worst verdict and the largest
+/// number of draws.
 Finding worst_of(const std::vector<Finding>& channels);
 
-/// About how many draws test_means takes of right code whose draws are like these, channels[c][i].
+/// About how many draws test_means needs on right code whose draws resemble channels[c][i].
 double expected_draws(const Trial& trial, const std::vector<Reference>& references,
                       const std::vector<std::vector<double>>& channels);
 
-/// The same for one channel whose draws come from `draw()`, one at a time, from a source that the caller seeds.
+/// test_means for one channel whose draws come from `draw()`, one at a time, with random numbers
+/// that the caller seeds.
 template <class Draw>
 Finding test_mean(const Trial& trial, const Reference& reference, Draw&& draw) {
   return test_means(trial, {reference}, [&](std::uint64_t, std::vector<std::vector<double>>& channels) {

@@ -12,7 +12,7 @@ namespace {
 
 using Eight = Eigen::Array<double, 8, 1>;
 
-// Calls f with the draws eight at a time; the last eight are filled up with `filler`.
+// Calls f with eight draws at a time; fills up the last eight with `filler`.
 template <class F>
 void by_eights(std::span<const double> draws, double filler, const F& f) {
   std::size_t i = 0;
@@ -36,8 +36,8 @@ Moments Moments::of(std::span<const double> draws) {
   return moments;
 }
 
-// Only where the sum is not a number may one be among the draws, which takes longer to look for. Where all draws are equal the mean is
-// what they are, where a sum would round.
+// Searches for a NaN only if the sum is NaN, as the search is slower. If all draws are equal, the
+// mean is their exact value; sum / n could round.
 void Moments::add_mean(std::span<const double> draws) {
   const Eigen::Map<const Eigen::ArrayXd> all(draws.data(), static_cast<Eigen::Index>(draws.size()));
   Eight least = Eight::Constant(draws[0]), most = least;
@@ -51,7 +51,6 @@ void Moments::add_mean(std::span<const double> draws) {
   if (minimum_ != maximum_) mean_ = sum / static_cast<double>(draws.size());
 }
 
-// The powers of all deviations.
 void Moments::add_powers(std::span<const double> draws) {
   Eight squares = Eight::Zero(), cubes = Eight::Zero(), fourths = Eight::Zero();
   by_eights(draws, mean_, [&](const Eight& x) {
@@ -70,7 +69,8 @@ void Moments::merge(const Moments& other) {
   const double n = static_cast<double>(count_) + static_cast<double>(other.count_);
   const double a = static_cast<double>(count_) / n, b = static_cast<double>(other.count_) / n;
   const double d = other.mean_ - mean_;
-  const double spread = d * d * a * static_cast<double>(other.count_);  // of the two means, as what each stands for
+  // The squared deviations of the two means from the common mean, weighted by the counts.
+  const double spread = d * d * a * static_cast<double>(other.count_);
   m4_ += other.m4_ + d * d * spread * (a * a - a * b + b * b) + 6 * d * d * (a * a * other.m2_ + b * b * m2_) +
          4 * d * (a * other.m3_ - b * m3_);
   m3_ += other.m3_ + d * spread * (a - b) + 3 * d * (a * other.m2_ - b * m2_);

@@ -6,10 +6,10 @@
 
 #include <fairlight/stats/googletest.h>
 
-/// Expectations inside rapidcheck properties that run under GoogleTest (RC_GTEST_PROP): the same three, which make
-/// the property fail, and shrink, in place of the test. Every case of a property is an expectation of its test,
-/// with a share that falls like 1/k^2, so any number of cases stays within the budget. Replaying takes both tokens: FAIRLIGHT_SEED, and the RC_PARAMS that
-/// rapidcheck prints.
+/// The same three expectations for rapidcheck properties under GoogleTest (RC_GTEST_PROP). One that
+/// is not met fails the property, and the case shrinks. Every case of a property is an expectation
+/// of its test. The k-th has a share that falls like 1/k^2, so any number of cases stays within the
+/// budget. To replay, set both FAIRLIGHT_SEED and the RC_PARAMS that rapidcheck prints.
 namespace fairlight {
 
 inline void rapidcheck_fail_unless(const Expectation& expectation) {

@@ -10,11 +10,12 @@
 
 namespace fairlight {
 
-/// Estimators whose draws depend on each other: points of a low-discrepancy set, strata, adaptive stages, the
-/// states of a chain. Only the whole replicate, made anew from numbers of its own, is a draw. `replicate(r)` gives
-/// the estimate of replicate r, a function of r and the seed alone.
+/// For estimators whose draws depend on each other: points of a low-discrepancy set, strata,
+/// adaptive stages, states of a Markov chain. One independent replicate, made with its own random
+/// numbers, counts as one draw. `replicate(r)` returns the estimate of replicate r, a function of r
+/// and the seed alone.
 
-/// The mean of replicates with a declared range, by the core test. Guarantee: exact.
+/// Tests the mean of replicates with a declared range, by test_means. Guarantee: exact.
 template <class Replicate>
 Finding test_replicates(const Trial& trial, const Reference& reference, Replicate&& replicate) {
   return test_means(trial, {reference}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
@@ -22,7 +23,7 @@ Finding test_replicates(const Trial& trial, const Reference& reference, Replicat
   });
 }
 
-/// The same without a range. Guarantee: asymptotic.
+/// The same without a range, by Student's test. Guarantee: asymptotic.
 template <class Replicate>
 Finding test_replicates(const Trial& trial, double mean, Replicate&& replicate) {
   return sequential_t_test(trial, mean, std::abs(mean),
@@ -32,9 +33,10 @@ Finding test_replicates(const Trial& trial, double mean, Replicate&& replicate) 
                            });
 }
 
-/// The exponent e of variance ~ n^-e by least squares on logarithms: 1 for independent draws, up to 3 for scrambled
-/// nets on smooth integrands. Pairs of (points in a replicate, variance between replicates); at least two, all
-/// positive, or throws std::invalid_argument.
+/// The exponent e of variance ~ n^-e, by least squares on logarithms: 1 for independent draws, up
+/// to 3 for scrambled nets on smooth integrands. Takes pairs of (points per replicate, variance
+/// between replicates). Throws std::invalid_argument for fewer than two pairs, or for a number that
+/// is not positive.
 double convergence_exponent(std::span<const std::pair<double, double>> variances);
 
 }  // namespace fairlight

@@ -18,7 +18,7 @@ using Rule = boost::math::quadrature::gauss<double, 8>;
 constexpr int knots = 256;
 constexpr int order = 3;
 
-// The abscissas of the rule on the unit interval, and their weights in barycentric interpolation.
+// The nodes of the Gauss rule on the unit interval, and their weights in barycentric interpolation.
 // Source: Berrut and Trefethen 2004, "Barycentric Lagrange interpolation".
 struct Nodes {
   std::array<double, Rosenblatt::nodes> at{}, weight{};
@@ -35,7 +35,7 @@ struct Nodes {
     }
   }
 
-  // What the polynomial through values at the nodes, one for each, takes from each of them at x.
+  // The values at x of the Lagrange polynomials of the nodes.
   std::array<double, Rosenblatt::nodes> shares(double x) const {
     std::array<double, Rosenblatt::nodes> share{};
     double sum = 0;
@@ -52,7 +52,7 @@ struct Nodes {
   }
 };
 
-// Whether integrals are the same to a tenth of what all of the quadrature may be off by, relative to the last, the whole.
+// Whether the integrals agree to 1e-7 of the whole, a tenth of the allowed quadrature error.
 bool agree(const std::array<double, Rosenblatt::pieces>& a, const std::array<double, Rosenblatt::pieces>& b) {
   for (std::size_t k = 0; k < a.size(); ++k) {
     if (!(std::abs(a[k] - b[k]) <= 1e-7 * b.back())) return false;
@@ -67,9 +67,9 @@ const Nodes& slab_nodes() {
 
 constexpr std::size_t moment_count = order + order + order * order;
 
-// All moments of one place: across, along, and their products.
+// All moments of one point: those of s, those of t, and their products.
 std::array<double, moment_count> moments_of(const Eigen::Vector2d& place) {
-  const auto waves = [](double x) {  // of cos(a): cos(2a) and cos(3a) by Chebyshev's polynomials
+  const auto waves = [](double x) {  // cos(2a), cos(3a) from cos(a) by Chebyshev's polynomials
     const double c = std::cos(std::numbers::pi * x), root = std::numbers::sqrt2;
     return std::array<double, order>{root * c, root * (2 * c * c - 1), root * c * (4 * c * c - 3)};
   };
@@ -118,7 +118,7 @@ Rosenblatt::Pieces Rosenblatt::pieces_at(double s) const {
   return sums;
 }
 
-// By the polynomial through what the nodes have; x is the place in the slab, in [0,1].
+// The integrals interpolated between the nodes; x is the position in the slab, in [0,1].
 Rosenblatt::Pieces Rosenblatt::interpolated(const Slab& slab, double x) {
   const auto shares = slab_nodes().shares(x);
   Pieces sums{};
@@ -128,7 +128,7 @@ Rosenblatt::Pieces Rosenblatt::interpolated(const Slab& slab, double x) {
   return sums;
 }
 
-// In a slab, the cubic that has its mass and, at its ends, its marginal (Hermite).
+// Within a slab, u is the Hermite cubic that has its mass, and its marginal at both ends.
 Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
   if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
     throw std::out_of_range("a place outside the unit square (check its coordinates first)");
@@ -150,14 +150,14 @@ Finding test_rosenblatt(const Trial& trial, const SquareDensity& density,
   std::optional<Rosenblatt> transform;
   try {
     transform.emplace(density);
-  } catch (const std::logic_error& bad) {  // negative, or not integrating to one
+  } catch (const std::logic_error& bad) {  // the density is negative, or does not integrate to 1
     return detail::refuted_density(trial, bad.what());
   }
-  // The largest of the waves is 2. The quadrature's 1e-6, and the cubic's, may bias them: a transform that is off by that moves
-  // the third wave by 3 pi sqrt2 times as much.
+  // No moment exceeds 2 in size. The quadrature and the cubic may each bias the transform by 1e-6;
+  // an error of that size moves the third cosine by 3 pi sqrt2 times as much.
   const Reference wave{.mean = 0, .lower = -2.00001, .upper = 2.00001, .scale = 1, .rounding = 1.4e-5};
   const std::vector<Reference> references(moment_count, wave);
-  std::optional<std::uint64_t> bad;  // which is counted in draws, and all else in replicates
+  std::optional<std::uint64_t> bad;  // a number of draws; the test counts replicates
   const auto add = [&](std::uint64_t i, std::array<double, moment_count>& sums) {
     const Eigen::Vector2d place = draw(i);
     bad = i;

@@ -52,8 +52,8 @@ Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstim
   }
   if (!(scale > 0))
     throw std::invalid_argument("the second estimator shows no variance (a ratio to it has no meaning)");
-  const double upper =
-      std::max(range_variance(a), 2 * trial.margin * scale);  // a constant A has no range of its own
+  // A constant A has a range of length 0.
+  const double upper = std::max(range_variance(a), 2 * trial.margin * scale);
   const Reference reference{0, -ratio * range_variance(b), upper, 0, scale, Sides::not_above};
   return test_indexed(trial, reference, [&](std::uint64_t i) {
     return pair_variance(a, pilot_pairs + i) - ratio * pair_variance(b, pilot_pairs + i);
@@ -74,7 +74,8 @@ VarianceRatio variance_ratio(const Moments& a, const Moments& b, double beta) {
     throw std::invalid_argument("a ratio of variances needs both of them positive");
   }
   const auto relative = [](const Moments& m) { return (m.kurtosis() - 1) / static_cast<double>(m.count()); };
-  const double error = std::sqrt(relative(a) + relative(b));  // of the logarithm of the ratio
+  // The standard error of the ratio's logarithm.
+  const double error = std::sqrt(relative(a) + relative(b));
   const double reach = std::exp(-boost::math::quantile(boost::math::normal(), beta) * error);
   const double ratio = a.variance() / b.variance();
   return {ratio, {ratio / reach, ratio * reach}};

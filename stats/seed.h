@@ -7,13 +7,13 @@
 
 namespace fairlight {
 
-/// A seed from the operating system. The only place where the kit asks for one.
+/// A seed from the operating system. Every fresh seed in the kit comes from here.
 inline std::uint64_t fresh_seed() {
   std::random_device device;
   return (std::uint64_t{device()} << 32) | device();
 }
 
-/// A seed as it is printed: 16 hexadecimal digits.
+/// The printed form of a seed: 16 hexadecimal digits.
 inline std::string seed_text(std::uint64_t seed) {
   constexpr const char* digits = "0123456789abcdef";
   std::string text(16, '0');
@@ -21,7 +21,7 @@ inline std::string seed_text(std::uint64_t seed) {
   return text;
 }
 
-/// A seed from 1 to 16 hexadecimal digits. Throws std::invalid_argument for anything else.
+/// Parses a seed of 1 to 16 hexadecimal digits. Throws std::invalid_argument for any other text.
 inline std::uint64_t parse_seed(const std::string& text) {
   if (text.empty() || text.size() > 16 || text.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos) {
     throw std::invalid_argument("\"" + text + "\" is not a seed (give 1 to 16 hexadecimal digits)");

@@ -22,7 +22,7 @@ constexpr double part_for_giving_up = 0.02;  // of alpha
 
 double normal_quantile(double tail) { return -boost::math::quantile(boost::math::normal(), tail); }
 
-// The sample of each arm: one, or two whose difference is tested.
+// The samples of the arms: one arm, or two whose difference is tested.
 struct Arms {
   std::vector<Moments> moments;
   std::vector<LargestScores> scores;
@@ -37,7 +37,7 @@ struct Arms {
     return sum;
   }
 
-  // Welch and Satterthwaite; n - 1 for one arm.
+  // Degrees of freedom after Welch and Satterthwaite; n - 1 for one arm.
   double degrees() const {
     double sum = 0;
     for (const Moments& m : moments) {
@@ -47,7 +47,7 @@ struct Arms {
     return squared_error() * squared_error() / sum;
   }
 
-  // Skewness of the standardised mean, the arms' added as if they never cancelled.
+  // The skewness of the standardised mean, as if the skewnesses of the arms never cancelled.
   double skewness_of_mean() const {
     double third = 0;
     for (const Moments& m : moments) {
@@ -110,7 +110,7 @@ class GroupSequential {
     return finding;
   }
 
-  // Whether it got there, or was told to end.
+  // Draws until each arm has `count` draws. Returns false if `watch` ended the test first.
   bool draw_to(std::uint64_t count, std::uint64_t total) {
     std::vector<std::vector<double>> channels(arms_.moments.size());
     while (arms_.moments[0].count() < count) {
@@ -136,8 +136,9 @@ class GroupSequential {
     arms_.scores[arm].add(draws);
   }
 
-  // Draws per arm to the last look: enough for the margin, and for the skewness at that look's level. The pilot's word on
-  // the variance is widened by 5.5 of its own standard errors, which its fourth moments tell.
+  // The number of draws per arm at the last look: enough for the margin, and for the skewness at
+  // that look's level. The pilot's variance is increased by 5.5 of its own standard errors, from
+  // its fourth moments.
   std::uint64_t plan() const {
     const double last_step = 1 - std::pow(looks[looks.size() - 2], 3);
     const double x = normal_quantile(trial_.alpha * last_step / 2);
@@ -178,15 +179,17 @@ class GroupSequential {
     return finding;
   }
 
-  // Whether all draws agree to rounding. Then the mean may be what they are, or lie in draws that are too rare to have been
-  // met; Student's test cannot tell.
+  // Whether all draws agree to rounding. Then Student's test cannot tell a constant from an
+  // estimator whose mean lies in draws too rare to have been met.
   bool constant() const {
     return std::all_of(arms_.moments.begin(), arms_.moments.end(), [this](const Moments& m) {
       return m.maximum() - m.minimum() <= 16 * std::numeric_limits<double>::epsilon() * scale_;
     });
   }
 
-  // Why Student's law cannot be trusted at this level; empty where it can.
+  // Why Student's law cannot be trusted at this level; empty if it can. With x the normal quantile
+  // and g the skewness, n >= (g x^3 / (3 ln 1.5))^2 keeps the tail within a factor of 1.5 (Hall
+  // 1992).
   std::string distrust(double alpha) const {
     const double x = normal_quantile(alpha / 2);
     if (arms_.skewness_of_mean() * x * x * x > 3 * std::log(1.5))

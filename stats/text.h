@@ -4,7 +4,7 @@
 
 namespace fairlight {
 
-/// Text by a format of printf, which the compiler checks against the values.
+/// A string formatted as by printf; the compiler checks the format against the arguments.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 }  // namespace fairlight

@@ -6,14 +6,15 @@
 
 namespace fairlight {
 
-/// Count, mean vector and covariance of vector draws, mergeable as Moments are.
-/// Source: Chan, Golub, LeVeque 1979, with an outer product for the square.
+/// The count, mean vector and covariance of vector draws; mergeable like Moments.
+/// Source   Chan, Golub, LeVeque 1979, with an outer product in place of the square
 class VectorMoments {
  public:
-  /// For draws of `dimension` components; at least 1, or throws std::invalid_argument.
+  /// For draws of `dimension` components. Throws std::invalid_argument for a dimension below 1.
   explicit VectorMoments(Eigen::Index dimension);
 
-  /// The moments of a block, one draw a row. At least one row; throws std::invalid_argument otherwise.
+  /// The moments of a block, one draw per row. Throws std::invalid_argument for a block without
+  /// rows.
   static VectorMoments of(const Eigen::MatrixXd& draws);
 
   /// Throws std::invalid_argument when the dimensions differ.

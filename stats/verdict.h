@@ -5,16 +5,16 @@
 
 namespace fairlight {
 
-/// The three outcomes of a statistical test. There is no fourth: "no difference seen" is not an outcome.
+/// The three outcomes of a statistical test. "No difference seen" is none of them.
 enum class Verdict {
-  certified,  ///< evidence, at the stated miss rate, that the bias is smaller than the margin
-  biased,     ///< evidence, at the stated level, that the bias is not zero
-  undecided,  ///< the cap on draws came first; it counts as a failure
+  certified,  ///< the bias is smaller than the margin, at the stated miss rate
+  biased,     ///< the bias is not zero, at the stated level
+  undecided,  ///< the cap on draws was reached first; counts as a failure
 };
 
-/// What a verdict rests on.
+/// How strong a verdict is.
 enum class Guarantee {
-  deterministic,  ///< no randomness: an identity, checked
+  deterministic,  ///< no randomness: an identity that was checked
   exact,          ///< holds at any number of draws, by Ville's inequality
   asymptotic,     ///< holds in the limit of many draws, under the conditions that the test states
 };
@@ -25,19 +25,20 @@ struct Interval {
   double hi;
 };
 
-/// What one check found. Bias and interval are relative to the reference (dimensionless). An end of
-/// the interval is infinite where nothing is known yet, and on the side of a one-sided claim ("at
-/// most", "at least") that it allows, unless the interval has none of that side.
+/// The result of one check. Bias and interval are relative to the reference (dimensionless). An end
+/// of the interval is infinite where nothing is known yet. For a one-sided claim the end on the
+/// allowed side is infinite too, unless the interval lies wholly on the excluded side.
 struct Finding {
   Verdict verdict = Verdict::undecided;
   Guarantee guarantee = Guarantee::deterministic;
   double margin = 0;        ///< the bias that `certified` excludes, relative
   double bias = 0;          ///< the estimate of the bias, relative
   Interval interval{0, 0};  ///< each end is wrong with at most the miss rate
-  std::uint64_t draws = 0;  ///< how many draws the verdict took
-  double rounding = 0;      ///< of the arithmetic, relative: a bias up to it is not called one
-  std::string token{};      ///< with the claim's name, replays it: the seed, as 16 hexadecimal digits
-  std::string note{};       ///< one sentence where there is more to say, such as why it is not exact; or empty
+  std::uint64_t draws = 0;  ///< the number of draws that the verdict took
+  /// The rounding error of the arithmetic, relative. A bias up to it does not count as bias.
+  double rounding = 0;
+  std::string token{};  ///< replays it, with the claim's name: the seed, 16 hexadecimal digits
+  std::string note{};   ///< one more sentence, such as why the test is not exact; or empty
 };
 
 const char* name(Verdict verdict);

@@ -117,7 +117,7 @@ inline Claim naive_claim(const std::string& name, std::vector<std::string> subje
           .kind = "mean",
           .subjects = std::move(subjects),
           .statement = "biased by construction: four spiky pixels " + statement,
-          .source = "closed form, validation/analytic/pooled_stages.h; Kirk and Arvo 1991",
+          .source = "closed form, validation/claims/pooled_stages.h; Kirk and Arvo 1991",
           .margin_factor = 10,
           .check = std::move(check)};
 }
