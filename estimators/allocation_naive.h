@@ -9,7 +9,7 @@ namespace fairlight::naive {
 /// is the mean of all its samples. A pixel whose first samples missed its spikes looks quiet, gets no more, and
 /// stays dark; one whose first samples met them gets many more, and their weight falls. On four spiky pixels (p =
 /// 0.1) the image is 34 % too dark by history and 9 % by neighbours, in closed form
-/// (validation/analytic/pooled_stages.h); exponential draws in their place show 11 % and 2 %. Use
+/// (validation/claims/pooled_stages.h); exponential draws in their place show 11 % and 2 %. Use
 /// allocation_unbiased.h.
 /// Formula  I_i = the mean of all samples of pixel i, their number a function of the earlier of them
 /// Domain   two stages or more; the pilot is the first, and not empty

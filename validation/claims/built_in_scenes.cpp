@@ -44,7 +44,7 @@ void add_bounces(std::vector<Claim>& claims, const SceneComparison& scene, const
   add_agreement(claims, "direct." + direct, scene, settings, sampling);
 }
 
-// By cone 2.49, by area 12, by the hemisphere that is seen 6: see in_the_box (agreements/paired_boxes.h).
+// By cone 2.49, by area 12, by the hemisphere that is seen 6: see in_the_box (paired_boxes.h).
 void add_box_claims(std::vector<Claim>& claims) {
   constexpr double by_cone = 2.49 * of_four;
   const auto add_sampling = [&](const std::string& sampling, double most) {
@@ -80,7 +80,7 @@ void add_material_box_claims(std::vector<Claim>& claims) {
   add_bounces(claims, {"cornell-materials", 5, -shadow_rays, 27, 0.3, 40}, "cone", "none");
 }
 
-// By solid angle 15.8; a bounce finds albedo Le = 7.9, and sharing leaves a shadow ray as much: see measured_box (agreements/paired_boxes.h).
+// By solid angle 15.8; a bounce finds albedo Le = 7.9, and sharing leaves a shadow ray as much: see measured_box (paired_boxes.h).
 void add_measured_box_claims(std::vector<Claim>& claims) {
   add_bounces(claims, {"cornell-original", 4, -15.8 * of_four, 7.9 * (of_four + 1), 0.11, 60}, "solid-angle",
               "mis");

@@ -2,6 +2,7 @@
 
 #include <fairlight/render/strategies.h>
 #include <fairlight/validation/checks/padded_sets.h>
+#include <fairlight/validation/claims/chosen_tracer.h>
 #include <fairlight/validation/claims/radiance.h>
 #include <fairlight/validation/claims/related_scenes.h>
 
@@ -17,8 +18,12 @@ using AsItIs = T;
 template <template <class> class Wrong = AsItIs>
 auto chosen_tracers(const RenderSettings& settings, const Scene& scene) {
   return [=]<class Real>(std::type_identity<Real>) {
-    auto tracer = chosen_tracer<Real>(Strategies(settings, scene), scene);
-    return Wrong<decltype(tracer)>{tracer};
+    if constexpr (std::is_same_v<Wrong<int>, int>) {
+      return ChosenTracer<Real>(settings, scene);
+    } else {
+      auto tracer = chosen_tracer<Real>(Strategies(settings, scene), scene);
+      return Wrong<decltype(tracer)>{tracer};
+    }
   };
 }
 

@@ -3,6 +3,7 @@
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
 #include <fairlight/validation/checks/padded_sets.h>
+#include <fairlight/validation/claims/chosen_tracer.h>
 #include <fairlight/validation/claims/radiance.h>
 
 namespace fairlight {
@@ -26,7 +27,7 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
   const View view = view_of(one);
   const auto tracer = [&](const RenderSettings& settings) {
     const auto make = [scene = view.scene, settings]<class Real>(std::type_identity<Real>) {
-      return chosen_tracer<Real>(Strategies(settings, scene), scene);
+      return ChosenTracer<Real>(settings, scene);
     };
     return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
   };

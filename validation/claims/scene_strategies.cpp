@@ -130,7 +130,7 @@ void add_floats(std::vector<Claim>& claims, const WholeScene& scene) {
   const auto tracer = [&](int max_depth) {
     settings.max_depth = max_depth;
     const auto make = [scene = view.scene, settings]<class Real>(std::type_identity<Real>) {
-      return chosen_tracer<Real>(Strategies(settings, scene), scene);
+      return ChosenTracer<Real>(settings, scene);
     };
     return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
   };
