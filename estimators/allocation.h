@@ -20,13 +20,12 @@ namespace fairlight {
 /// and `share_out` turns the scores into sample counts. A form (allocation_unbiased.h,
 /// allocation_naive.h) decides whether the samples that made the scores count in the image.
 /// `draw(pixel, first, n)` gives a pixel's samples number first, ..., first + n - 1
-/// (pixel_draws.h). It is a function of these three alone, so the image does not depend on order or
-/// threads. Two calls give independent samples; the samples of one call may depend on each other,
-/// as the points of a set do.
-/// The pixels of an adaptive image are not independent: only whole images may be averaged or
-/// tested.
-/// Scores and counts are in double, as rounding a score would change a count. The draws may be made
-/// in packets, whose lanes are consecutive samples.
+/// (pixel_draws.h). The pixels of an adaptive image are not independent: only whole images may be
+/// averaged or tested.
+// `draw` is a function of its three arguments alone, so the image does not depend on order or
+// threads. Two calls give independent samples; the samples of one call may depend on each other, as
+// the points of a set do. Scores and counts are in double, as rounding a score would change a
+// count. The draws may be made in packets, whose lanes are consecutive samples.
 
 /// The size of an image. Pixel y * width + x is pixel x of row y.
 class PixelGrid {

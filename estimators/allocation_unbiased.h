@@ -40,11 +40,9 @@ class DiscardedPilot {
 /// earlier stages, the mean of a stage is unbiased; so the weighted sum is unbiased.
 /// Formula  I_i = sum_k (b_k / b) m_ik; b_k is the number of samples of stage k in the whole image,
 ///          m_ik the mean of pixel i in stage k
-/// Domain   two stages or more, each with at least one sample of every pixel; the first is the
-///          pilot
+/// Domain   two stages or more, each with a sample of every pixel; the first is the pilot
 /// Random   pixel i's samples by draw(i, first, n), stage after stage
-/// Source   Owen and Zhou 2020, "The square root rule for adaptive importance sampling" (fixed
-///          weights)
+/// Source   Owen and Zhou 2020, "The square root rule for adaptive importance sampling"
 template <AllocationScore Score>
 class FixedStageWeights {
  public:
@@ -67,18 +65,17 @@ class FixedStageWeights {
   StagedSampling<Score> sampling_;
 };
 
-// There is no third stage. The later samples of a half depend on the other half's pilot through
-// their number. If they chose the counts of that other half, its own pilot would again choose its
-// counts.
 /// Two independent halves. The pilot of each half chooses the sample counts of the other half, and
 /// counts in the mean of its own half. So no sample is thrown away.
 /// Formula  I_i = (A_i + B_i) / 2; A_i is the mean of the first half's samples, and their number
 ///          depends on B's pilot alone; B_i likewise
 /// Domain   half the budget >= pixels times pilot; `pilot` is that of one half, and is not 0
-/// Random   pixel i's samples: draw(i, first, n) in the first half, draw(i, budget + first, n) in
-///          the second
+/// Random   pixel i's samples: draw(i, first, n) in half A, draw(i, budget + first, n) in half B
 /// Source   cross-fitting, after Cox 1975, "A note on data-splitting"; dual buffers: Rousselle,
 ///          Knaus, Zwicker 2012
+// There is no third stage. The later samples of a half depend on the other half's pilot through
+// their number. If they chose the counts of that other half, its own pilot would again choose its
+// counts.
 template <AllocationScore Score>
 class CrossedHalves {
  public:

@@ -8,16 +8,15 @@
 
 namespace fairlight {
 
-/// Offsets from a pixel's centre, distributed as the Blackman-Harris window: smooth like a
-/// Gaussian, and nearly zero at a finite radius. Inverted by Halley's method, to within a few units
-/// in the last place of 1 in u, in double and in floats.
-/// Formula  p(x, y) = b(x) b(y), b(x) = (a0 + a1 cos(t) + a2 cos(2 t) + a3 cos(3 t)) / (2 a0 r), t
-///          = pi x / r, a = 0.35875, 0.48829, 0.14128, 0.01168
+/// Offsets from a pixel's centre, distributed as the Blackman-Harris window.
+/// Formula  p(x, y) = b(x) b(y), b(x) = sum over k = 0 .. 3 of a_k cos(pi k x / r) / (2 a_0 r), a =
+///          0.35875, 0.48829, 0.14128, 0.01168
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2, r in [1e-6, 1e6] pixels (else std::invalid_argument); the density is 0
-///          elsewhere
+/// Domain   [-r,r]^2, else density 0; r in [1e-6, 1e6] pixels (else std::invalid_argument)
 /// Random   u in [0,1)^2
 /// Source   Harris 1978, "On the use of windows for harmonic analysis", 4-term, -92 dB
+// The window is smooth like a Gaussian, and nearly zero at a finite radius. Halley's method inverts
+// its CDF, to within a few units in the last place of 1 in u, in double and in floats.
 template <class Real>
 class BlackmanHarrisFilter {
  public:

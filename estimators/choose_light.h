@@ -10,8 +10,6 @@
 
 namespace fairlight {
 
-// Binary search of the cumulative weights. The comparison uses both random numbers, which together
-// resolve 2^48 parts in floats.
 /// Chooses one of n alternatives in proportion to fixed weights, such as the powers of lights.
 /// Never chooses an alternative of weight 0. If all weights are 0, or n = 0, there is no choice,
 /// and the pick has probability 0.
@@ -20,6 +18,8 @@ namespace fairlight {
 /// Domain   0 .. n-1, n from 0 to 2^24; w_i >= 0 and finite (else std::invalid_argument)
 /// Random   u in [0,1)^2; u_y refines u_x
 /// Source   Shirley, Wang, Zimmerman 1996, 5; Devroye 1986, III.2 (inversion)
+// Binary search of the cumulative weights. The comparison uses both random numbers, which together
+// resolve 2^48 parts in floats.
 template <class Real>
 class PowerChoice {
  public:
@@ -81,18 +81,17 @@ class PowerChoice {
   std::vector<Number> upper_, lower_, probabilities_;
 };
 
-// Each pick evaluates every weight twice, so it costs O(n). In floats, an alternative is chosen
-// with its returned probability to (n + 1) 2^-46, and that probability is the formula's to a
-// relative (n 2^-24)^2, since the sums have two parts.
 /// Chooses one of n alternatives in proportion to weight(i), such as what light i may contribute at
 /// a point. weight(i) must be positive wherever term i is not 0. If all weights are 0, or n = 0,
 /// there is no choice, and the pick has probability 0.
 /// Formula  P(i) = weight(i) / sum over k of weight(k)
 /// Measure  discrete
-/// Domain   0 .. n-1, n from 0 to 2^24; weights and their sum nonnegative, finite (else
-///          std::invalid_argument)
+/// Domain   0 .. n-1, n from 0 to 2^24; sum and weights >= 0, finite (else std::invalid_argument)
 /// Random   u in [0,1)^2; u_y refines u_x
 /// Source   Shirley, Wang, Zimmerman 1996, 5
+// Each pick evaluates every weight twice, so it costs O(n). In floats, an alternative is chosen
+// with its returned probability to (n + 1) 2^-46, and that probability is the formula's to a
+// relative (n 2^-24)^2, since the sums have two parts.
 template <class Real, class Weight>
 class ContributionChoice {
  public:

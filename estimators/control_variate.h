@@ -9,14 +9,14 @@
 namespace fairlight {
 
 /// Subtracts c times a control variate of known mean, and adds c times that mean. The mean stays
-/// the same, and the variance falls if the two are correlated. Both take the same numbers, from a
-/// copy of the source. c must be fixed in advance: fitted to the same draws it depends on them, and
-/// biases the mean.
+/// the same, and the variance falls if the two are correlated.
 /// Formula  F - c (G - E[G])
 /// Domain   F and G take equally many numbers; c and E[G] are finite (else std::invalid_argument)
 /// Random   the dimensions of F
 /// Bound    F's bound - c (G's bound) + c E[G]; a draw may be negative even if F and G never are
 /// Source   Hammersley and Handscomb 1964, 5.5; Glasserman 2003, 4.1 (c and its fit)
+// Both take the same numbers, from a copy of the source. c must be fixed in advance: a c that is
+// fitted to the same draws depends on them, and biases the mean.
 template <class Inner, class Control>
 class ControlVariate {
  public:

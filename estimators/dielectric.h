@@ -13,9 +13,8 @@ enum class Transport {
 
 /// Smooth glass: reflects with Fresnel's probability F, and refracts otherwise. The normal points
 /// out of the glass: z > 0 is outside and z < 0 inside, for `out` and for `in`.
-/// Formula  eta = index if out.z > 0, else 1/index. With probability F(|out.z|, eta): in = out
-///          mirrored, weight 1. Else: in by Snell's law, weight 1/eta^2 for radiance, 1 for
-///          importance
+/// Formula  with probability F(|out.z|, eta): in = out mirrored, weight 1; else in by Snell's law,
+///          weight 1/eta^2 for radiance, 1 for importance; eta = index if out.z > 0, else 1/index
 /// Measure  none: single directions; f and the density are 0
 /// Domain   all unit vectors; index in [0.1, 10], the inside's over the outside's
 /// Random   one number u in [0,1)

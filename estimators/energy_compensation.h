@@ -8,25 +8,24 @@
 
 namespace fairlight {
 
-// E is the albedo of f_1 for white facets, Eavg its cosine-weighted mean, and Favg the
-// cosine-weighted mean of F. C sums the light of all further reflections; C = 1 for white facets.
-// GgxLoss gives E to 1e-5.
-/// Rough metal without energy loss: adds a diffuse lobe with the light that RoughConductor loses
-/// between facets.
+/// Rough metal without energy loss: a second, diffuse lobe adds the light that RoughConductor
+/// loses.
 /// Formula  f = f_1 + f_ms, f_ms = C (1 - E(out)) (1 - E(in)) / (pi (1 - Eavg)), C = Favg^2 Eavg /
 ///          (1 - Favg (1 - Eavg))
 /// Measure  f in 1/sr; p = E(out) p_1 + (1 - E(out)) z_in / pi, in solid angle
-/// Domain   z > 0, f and p are 0 elsewhere; one roughness in [1e-4, 1]; Reflectance as in
-///          RoughConductor
+/// Domain   z > 0, else f = p = 0; one roughness in [1e-4, 1]; Reflectance as in RoughConductor
 /// Random   u in [0,1)^3; the third chooses the lobe
 /// Source   Kulla and Conty 2017, "Revisiting physically based shading at Imageworks"
+// E is the albedo of f_1 for white facets, Eavg its cosine-weighted mean, and Favg the
+// cosine-weighted mean of F. C sums the light of all further reflections; C = 1 for white facets.
+// GgxLoss gives E to 1e-5.
 template <class Real, class Reflectance = ConstantReflectance<Real>, class Loss = GgxLoss>
 class EnergyCompensatedConductor {
  public:
   using Scalar = Real;
   static constexpr int dimensions = 3;
 
-  /// All lanes have the same roughness, as the constructor tabulates its albedo.
+  /// All lanes have the same roughness, as the constructor computes its albedo.
   EnergyCompensatedConductor(double alpha, const Reflectance& reflectance)
       : single_(Ggx<Real>(rounded<Real>(alpha), rounded<Real>(alpha)), reflectance),
         loss_(alpha),

@@ -12,11 +12,9 @@ namespace fairlight {
 /// each axis and renormalised. Its inverse CDF is accurate to the rounding of Real.
 /// Formula  p(x, y) = g(x) g(y), g(x) = exp(-x^2 / (2 s^2)) / (s sqrt(2 pi) erf(r / (s sqrt 2)))
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2, else density 0; s, r in [1e-6, 1e6] pixels, r <= 5 s (else
-///          std::invalid_argument)
+/// Domain   |x|, |y| <= r; s, r in [1e-6, 1e6] pixels, r <= 5 s (else std::invalid_argument)
 /// Random   u in [0,1)^2
-/// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"; Giles 2012 for the
-///          inverse
+/// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"; Giles 2012 (the inverse)
 template <class Real>
 class GaussianFilter {
  public:

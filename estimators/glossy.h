@@ -8,17 +8,15 @@
 
 namespace fairlight {
 
-/// The paper's glossy surface: the modified Phong model, a lobe of exponent n about the mirror
-/// direction; alpha is the angle from it. Reflects its albedo at normal incidence, and less
-/// elsewhere (for n to infinity: albedo cos(theta_out)), as the surface cuts the lobe and the
-/// cosine is smaller.
-/// Formula  f = albedo (n + 2) / (2 pi) cos^n(alpha), 0 for alpha >= 90 degrees; sampled by
-///          Directions
-/// Measure  f in 1/sr, without the cosine; the density is that of Directions, in solid angle
-/// Domain   z > 0, else f = 0 (draws below the surface weigh 0); n in [0, 1e8]; albedo in [0,1] per
-///          channel
+/// The paper's glossy surface, the modified Phong model: a lobe of exponent n about the mirror
+/// direction, with the angle alpha from it.
+/// Formula  f = albedo (n + 2) / (2 pi) cos^n(alpha), 0 for alpha >= 90 degrees, without the cosine
+/// Measure  f in 1/sr; the density is that of Directions, which samples, in solid angle
+/// Domain   z > 0, else f = 0 (draws below weigh 0); n in [0, 1e8]; albedo in [0,1] per channel
 /// Random   u in [0,1)^2
 /// Source   Lafortune and Willems 1994; the paper, 3.1
+// It reflects its albedo at normal incidence, and less elsewhere, as the surface cuts the lobe and
+// the cosine is smaller. For n to infinity it reflects albedo cos(theta_out).
 template <class Real, template <class> class Directions = PowerCosineLobe>
 class Glossy {
  public:
@@ -31,13 +29,13 @@ class Glossy {
     static_cast<void>(lobe({Real(0), Real(0), Real(1)}));
   }
 
+  /// Accurate to a relative 1e-11, or to a few ulp of Real if that is more.
   // Let eta be the angle from the plane of the normal and the mirror direction, and phi the angle
   // within that plane from the mirror direction. The integrand is (n + 2) / (2 pi) cos^(n + 2)(eta)
   // times cos^n(phi) cos(phi - theta), and `in` is above the surface if phi > theta - 90 degrees.
   // The integral over eta is 1 divided by that of cos^(n + 1)(phi) over all phi, which is 2 A(90
   // degrees). The integral over phi, by parts, is z (A(90 degrees) + A(90 degrees - theta)) +
   // sin^(n + 2)(theta) / (n + 1).
-  /// Accurate to a relative 1e-11, or to a few ulp of Real if that is more.
   Rgb<Real> albedo(const Vec3<Real>& out) const {
     using std::atan2;
     using std::exp;

@@ -61,8 +61,6 @@ class CircularAperture {
   Real radius_;
 };
 
-// u_x chooses one of n triangles about the centre. The rest of u_x gives the distance from the
-// centre, and u_y the place along the blade.
 /// Uniform points of an aperture with n straight blades: a regular polygon.
 /// Formula  p(x) = 1 / (n/2 R^2 sin(2 pi / n))
 /// Measure  area [1/m^2]
@@ -71,6 +69,8 @@ class CircularAperture {
 /// Random   u in [0,1)^2
 /// Source   Turk 1990, "Generating random points in triangles"; Pharr, Jakob, Humphreys, PBR 4ed,
 ///          5.4
+// u_x chooses one of n triangles about the centre. The rest of u_x gives the distance from the
+// centre, and u_y the place along the blade.
 template <class Real>
 class PolygonalAperture {
  public:
@@ -137,13 +137,11 @@ struct LensRay {
   Vec3<Real> direction;  ///< z = 1
 };
 
-/// A thin lens. It images the plane at the distance f sharply: all points of the lens see a point
-/// there where the pinhole sees it. From the point l of the lens, a point at the distance d appears
-/// shifted by l (1/f - 1/d). So it blurs to a disk of radius R |d - f| / (f d) on the image plane
-/// at distance 1.
+/// A thin lens. All its points see a point of the plane at the distance f where the pinhole sees
+/// it. A point at the distance d appears shifted by l (1/f - 1/d) from the point l of the lens. So
+/// it blurs to a disk of radius R |d - f| / (f d) on the image plane at distance 1.
 /// Formula  origin l, direction w - l / f, for the pinhole's direction w with z = 1
-/// Domain   f > 0 in m; infinity focuses the lens at infinity (throws std::invalid_argument
-///          otherwise)
+/// Domain   f > 0 in m; infinity focuses the lens at infinity (else std::invalid_argument)
 /// Random   u in [0,1)^2
 /// Source   Cook, Porter, Carpenter 1984, "Distributed ray tracing"; the paper, 3.2.3
 template <class Real, class Aperture>

@@ -7,17 +7,17 @@
 
 namespace fairlight {
 
-// Computes with 1 - cos(alpha), which suits any exponent: in floats, cos(alpha)^(10^6) turns the
-// rounding of the cosine into an error of 6 %.
 /// The Phong lobe: directions in proportion to a power of the cosine of the angle alpha to an axis.
-/// The surface may cut off a part of it.
 /// Formula  p(w) = (n + 1) / (2 pi) cos^n(alpha)
 /// Measure  solid angle [1/sr]
-/// Domain   unit vectors with alpha < 90 degrees; the density is 0 elsewhere. For n < 1 rounding
-///          can move a draw to 90 degrees or beyond, where it has density 0
+/// Domain   unit vectors with alpha < 90 degrees; the density is 0 elsewhere
 /// Random   u in [0,1)^2
 /// Source   Lafortune and Willems 1994, "Using the modified Phong reflectance model for physically
 ///          based rendering"
+// The surface may cut off a part of the lobe. For n < 1 rounding can move a draw to 90 degrees or
+// beyond, where it has density 0.
+// Computes with 1 - cos(alpha), which suits any exponent: in floats, cos(alpha)^(10^6) turns the
+// rounding of the cosine into an error of 6 %.
 template <class Real>
 class PowerCosineLobe {
  public:

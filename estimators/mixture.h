@@ -16,9 +16,6 @@ struct WeightedLobe {
 template <class Part>
 WeightedLobe(Part, typename Part::Scalar, typename Part::Scalar) -> WeightedLobe<Part>;
 
-// A bounce is drawn from lobe i with probability q_i. If it has a density, it weighs f |cos| / p.
-// If it is a single direction, it weighs w_i / q_i times its weight in lobe i: the other lobe finds
-// this direction with probability 0, so it adds nothing.
 /// The sum of two BSDFs; each bounce samples one of them. Nest mixtures for more. Each may have a
 /// density, or single directions, or both.
 /// Formula  f = w_1 f_1 + w_2 f_2, p = q_1 p_1 + q_2 p_2
@@ -26,6 +23,9 @@ WeightedLobe(Part, typename Part::Scalar, typename Part::Scalar) -> WeightedLobe
 /// Domain   that of the lobes; w_i >= 0, q_i in [0,1], q_1 + q_2 = 1; w_i = 0 if q_i = 0
 /// Random   u_0 in [0,1) chooses the lobe; the lobe takes the following numbers
 /// Source   Veach and Guibas 1995 (the one-sample model, balance heuristic)
+// A bounce is drawn from lobe i with probability q_i. If it has a density, it weighs f |cos| / p.
+// If it is a single direction, it weighs w_i / q_i times its weight in lobe i: the other lobe finds
+// this direction with probability 0, so it adds nothing.
 template <Bsdf First, Bsdf Second>
 class Mixture {
  public:

@@ -21,19 +21,18 @@ W second_sobol_reversed(W x) {
   return x ^ ((x & W(0xAAAAAAAAu)) >> 1);
 }
 
-// Each pair of each vertex has its own scrambling seeds and its own order of the set's points. So
-// every pair is a (0,2)-net, and different pairs are related by chance only. A single number is the
-// first of the two dimensions. No table is needed, so lanes may be at different vertices.
-/// Padded Sobol sampling of path vertices: every pair is Sobol's first two dimensions,
-/// Owen-scrambled.
-/// Formula  u_d = scramble_d(sobol_d(order(i))), d = 0 and 1, with seeds for every (pixel, set,
-///          vertex, pair)
+/// Padded Sobol sampling of path vertices: Owen-scrambled pairs of Sobol's first two dimensions.
+/// Formula  u_d = scramble_d(sobol_d(order(i))), d = 0, 1; seeds for every (pixel, set, vertex,
+///          pair)
 /// Measure  the unit cube
 /// Domain   sets of n = 2^m <= 1024 points (throws std::invalid_argument otherwise)
 /// Random   four words for five numbers of a set, and a hash for orders and factors; in double,
 ///          more words for the digits after the 24th
 /// Source   Burley 2020, "Practical hash-based Owen scrambling"; PBR 4ed, 8.6.5
 ///          (PaddedSobolSampler)
+// Each pair of each vertex has its own scrambling seeds and its own order of the set's points. So
+// every pair is a (0,2)-net, and different pairs are related by chance only. A single number is the
+// first of the two dimensions. No table is needed, so lanes may be at different vertices.
 class PaddedSobol {
  public:
   PaddedSobol(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}

@@ -16,8 +16,6 @@ struct Pick {
   Density<Discrete, Real> probability;
 };
 
-// The integer part of n U, where U has 48 bits: the first 24 of each number. The 24 bits of one
-// float cannot choose evenly among 10^5.
 /// Chooses one of n alternatives uniformly, to a relative n / 2^48 of the probability.
 /// Formula  P(i) = 1/n
 /// Measure  discrete
@@ -25,6 +23,8 @@ struct Pick {
 /// Random   u in [0,1)^2; u_y refines u_x
 /// Source   the paper, A.1; Lemire 2019, "Fast random integer generation in an interval" (by
 ///          multiplication)
+// The integer part of n U, where U has 48 bits: the first 24 of each number. The 24 bits of one
+// float cannot choose evenly among 10^5.
 template <class Real>
 class UniformChoice {
  public:

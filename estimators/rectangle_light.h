@@ -8,14 +8,14 @@
 
 namespace fairlight {
 
+/// A rectangle that emits from both faces, like all surfaces of a scene; for a one-sided light the
+/// other radiance is 0. It is not visible from its own plane. `on_surface` marks points on that
+/// plane: rounding would put them beside it, where the rectangle fills half of all directions.
 // In the rectangle's axes a corner is accurate to a few ulp of its distance. If the point is nearer
 // to the plane than that, or the rectangle smaller, the densities are those of a slightly different
 // rectangle. Directions are accurate to a few ulp of 1 rad. Rounding can move one past an edge; it
 // must have a density all the same, so the support extends beyond the edge by 4 ulp of 1 rad, or by
 // the edge's length if that is less.
-/// A rectangle that emits from both faces, like all surfaces of a scene; for a one-sided light the
-/// other radiance is 0. It is not visible from its own plane. `on_surface` marks points on that
-/// plane: rounding would put them beside it, where the rectangle fills half of all directions.
 template <class Real>
 class RectangleLight {
  public:
@@ -129,12 +129,13 @@ class RectangleByArea {
 /// Directions uniform in the solid angle S of a rectangle, so distance and cosine add no variance.
 /// Formula  p(w) = 1 / S
 /// Measure  solid angle [1/sr]
-/// Domain   directions that hit the rectangle, to rounding. None from its own plane, or if S < 1 /
-///          largest_density, or if the plane is nearer than 1e-15 (floats) or 1e-60 (double) times
-///          the largest coordinate of a corner; the density is 0 elsewhere
+/// Domain   directions that hit the rectangle, to rounding; the density is 0 elsewhere
 /// Random   u in [0,1)^2
 /// Source   Urena, Fajardo, King 2013, "An area-preserving parametrization for spherical
 ///          rectangles"
+// There is no such direction from the rectangle's own plane, or if S < 1 / largest_density, or if
+// the plane is nearer than 1e-15 (floats) or 1e-60 (double) times the largest coordinate of a
+// corner.
 template <class Real>
 class RectangleBySolidAngle {
  public:
