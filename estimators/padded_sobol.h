@@ -26,8 +26,8 @@ W second_sobol_reversed(W x) {
 ///          pair)
 /// Measure  the unit cube
 /// Domain   sets of n = 2^m <= 1024 points (throws std::invalid_argument otherwise)
-/// Random   four words for five numbers of a set, and a hash for orders and factors; in double,
-///          more words for the digits after the 24th
+/// Random   four words for five numbers of a set, a hash for orders and factors; in double, more
+///          words for the digits after the 24th
 /// Source   Burley 2020, "Practical hash-based Owen scrambling"; PBR 4ed, 8.6.5
 ///          (PaddedSobolSampler)
 // Each pair of each vertex has its own scrambling seeds and its own order of the set's points. So

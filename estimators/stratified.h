@@ -6,11 +6,10 @@
 
 namespace fairlight {
 
-/// Jittered strata: n points in n different cells of a grid for each pair of dimensions, with
-/// columns = ceil(sqrt n) and rows = ceil(n / columns). Each pair has an independent random order
-/// of cells.
-/// Formula  (u_2k, u_2k+1) = ((column, row) + jitter) / (columns, rows), pi_k(i) = row columns +
-///          column
+/// Jittered strata: for each pair of dimensions, n points in n different cells of a grid, with
+/// columns = ceil(sqrt n) and rows = ceil(n / columns), in an independent random order.
+/// Formula  (u_2k, u_2k+1) = ((column, row) + jitter) / (columns, rows); row columns + column =
+///          pi_k(i)
 /// Measure  the unit cube
 /// Domain   n from 1 to 2^28 (throws std::invalid_argument otherwise)
 /// Random   for each two dimensions: two words per replicate, four per point
