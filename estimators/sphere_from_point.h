@@ -15,8 +15,8 @@ namespace fairlight {
 // on the surface (h = 0) also sees the inner face, in the half of all directions that lead inwards.
 // A branch that a select drops may be NaN.
 // The height is accurate to a few ulp of d, as the point itself is. Closer to the surface than that
-// (in floats some cm for a sphere of 1e5 m), the sphere appears as from a point at that height,
-// which may be on the other side. `on_surface` decides such cases.
+// (in floats some cm for a sphere of 1e5 m), the sphere appears as from a point displaced by that
+// error, maybe to the other side. `on_surface` decides such cases.
 // A direction is accurate to a few ulp of 1 rad. Rounding can move one past the rim; it must have a
 // density all the same, or the weights of multiple importance sampling would not sum to 1. So the
 // support extends `rim` beyond the edge, however small the sphere.
