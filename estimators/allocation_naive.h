@@ -14,13 +14,13 @@ namespace fairlight::naive {
 /// Random   pixel i's samples by draw(i, first, n), stage after stage
 /// Source   the paper, 3.2.2; its bias: Kirk and Arvo 1991, "Unbiased sampling techniques for image
 ///          synthesis"
-// Why it is biased: a pixel whose first samples missed its spikes looks quiet, gets no more samples
-// and stays dark. A pixel whose first samples met a spike gets many more, and the weight of the
-// spike falls. On four spiky pixels (p = 0.1) the image is 34 % too dark with scores from the
-// history, and 9 % with scores from the neighbours, both in closed form
-// (validation/analytic/pooled_stages.h). Exponential draws instead give 11 % and 2 %.
 template <AllocationScore Score>
 class PooledStages {
+  // Why it is biased: a pixel whose first samples missed its spikes looks quiet, gets no more
+  // samples and stays dark. A pixel whose first samples met a spike gets many more, and the weight
+  // of the spike falls. On four spiky pixels (p = 0.1) the image is 34 % too dark with scores from
+  // the history, and 9 % with scores from the neighbours, both in closed form
+  // (validation/analytic/pooled_stages.h). Exponential draws instead give 11 % and 2 %.
  public:
   /// Each stage after the pilot gives every pixel at least `least` samples. Throws
   /// std::invalid_argument outside the domain.

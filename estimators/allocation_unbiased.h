@@ -73,11 +73,11 @@ class FixedStageWeights {
 /// Random   pixel i's samples: draw(i, first, n) in half A, draw(i, budget + first, n) in half B
 /// Source   cross-fitting, after Cox 1975, "A note on data-splitting"; dual buffers: Rousselle,
 ///          Knaus, Zwicker 2012
-// There is no third stage. The later samples of a half depend on the other half's pilot through
-// their number. If they chose the counts of that other half, its own pilot would again choose its
-// counts.
 template <AllocationScore Score>
 class CrossedHalves {
+  // There is no third stage. The later samples of a half depend on the other half's pilot through
+  // their number. If they chose the counts of that other half, its own pilot would again choose its
+  // counts.
  public:
   /// Throws std::invalid_argument outside the domain.
   explicit CrossedHalves(AllocationPlan plan) : plan_(plan) {

@@ -15,10 +15,10 @@ namespace fairlight {
 /// Domain   [-r,r]^2, else density 0; r in [1e-6, 1e6] pixels (else std::invalid_argument)
 /// Random   u in [0,1)^2
 /// Source   Harris 1978, "On the use of windows for harmonic analysis", 4-term, -92 dB
-// The window is smooth like a Gaussian, and nearly zero at a finite radius. Halley's method inverts
-// its CDF, to within a few units in the last place of 1 in u, in double and in floats.
 template <class Real>
 class BlackmanHarrisFilter {
+  // The window is smooth like a Gaussian, and nearly zero at a finite radius. Halley's method
+  // inverts its CDF, to within a few units in the last place of 1 in u, in double and in floats.
  public:
   using Scalar = Real;
   using Point = Vec2<Real>;

@@ -18,10 +18,10 @@ namespace fairlight {
 /// Domain   0 .. n-1, n from 0 to 2^24; w_i >= 0 and finite (else std::invalid_argument)
 /// Random   u in [0,1)^2; u_y refines u_x
 /// Source   Shirley, Wang, Zimmerman 1996, 5; Devroye 1986, III.2 (inversion)
-// Binary search of the cumulative weights. The comparison uses both random numbers, which together
-// resolve 2^48 parts in floats.
 template <class Real>
 class PowerChoice {
+  // Binary search of the cumulative weights. The comparison uses both random numbers, which
+  // together resolve 2^48 parts in floats.
  public:
   explicit PowerChoice(const std::vector<double>& weights) : size_(static_cast<int>(weights.size())) {
     if (weights.size() > 1u << 24)
@@ -89,11 +89,11 @@ class PowerChoice {
 /// Domain   0 .. n-1, n from 0 to 2^24; sum and weights >= 0, finite (else std::invalid_argument)
 /// Random   u in [0,1)^2; u_y refines u_x
 /// Source   Shirley, Wang, Zimmerman 1996, 5
-// Each pick evaluates every weight twice, so it costs O(n). In floats, an alternative is chosen
-// with its returned probability to (n + 1) 2^-46, and that probability is the formula's to a
-// relative (n 2^-24)^2, since the sums have two parts.
 template <class Real, class Weight>
 class ContributionChoice {
+  // Each pick evaluates every weight twice, so it costs O(n). In floats, an alternative is chosen
+  // with its returned probability to (n + 1) 2^-46, and that probability is the formula's to a
+  // relative (n 2^-24)^2, since the sums have two parts.
  public:
   ContributionChoice(int n, Weight weight) : n_(n), weight_(std::move(weight)) {
     if (n < 0) throw std::invalid_argument("a choice among fewer than no alternatives (their number is negative)");

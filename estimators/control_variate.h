@@ -15,10 +15,10 @@ namespace fairlight {
 /// Random   the dimensions of F
 /// Bound    F's bound - c (G's bound) + c E[G]; a draw may be negative even if F and G never are
 /// Source   Hammersley and Handscomb 1964, 5.5; Glasserman 2003, 4.1 (c and its fit)
-// Both take the same numbers, from a copy of the source. c must be fixed in advance: a c that is
-// fitted to the same draws depends on them, and biases the mean.
 template <class Inner, class Control>
 class ControlVariate {
+  // Both take the same numbers, from a copy of the source. c must be fixed in advance: a c that is
+  // fitted to the same draws depends on them, and biases the mean.
  public:
   using Scalar = typename Inner::Scalar;
 

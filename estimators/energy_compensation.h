@@ -16,11 +16,11 @@ namespace fairlight {
 /// Domain   z > 0, else f = p = 0; one roughness in [1e-4, 1]; Reflectance as in RoughConductor
 /// Random   u in [0,1)^3; the third chooses the lobe
 /// Source   Kulla and Conty 2017, "Revisiting physically based shading at Imageworks"
-// E is the albedo of f_1 for white facets, Eavg its cosine-weighted mean, and Favg the
-// cosine-weighted mean of F. C sums the light of all further reflections; C = 1 for white facets.
-// GgxLoss gives E to 1e-5.
 template <class Real, class Reflectance = ConstantReflectance<Real>, class Loss = GgxLoss>
 class EnergyCompensatedConductor {
+  // E is the albedo of f_1 for white facets, Eavg its cosine-weighted mean, and Favg the
+  // cosine-weighted mean of F. C sums the light of all further reflections; C = 1 for white facets.
+  // GgxLoss gives E to 1e-5.
  public:
   using Scalar = Real;
   static constexpr int dimensions = 3;

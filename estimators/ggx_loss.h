@@ -18,10 +18,10 @@ inline double ggx_loss(double alpha, double z) {
 /// The loss of one roughness as a smooth function of the height, fitted to ggx_loss on
 /// construction. Its error is below 1e-5, and it is never negative. It has no table to look up, so
 /// it works for any Real.
-// loss(z) = a^2 (1 + z^2) / (2 (z^2 + a^2)) R(x)^2 with x^2 = (1 + a) z / (z + a). The first factor
-// is the behaviour far from grazing angles. The substitution x resolves both ends. R is a Chebyshev
-// series.
 class GgxLoss {
+  // loss(z) = a^2 (1 + z^2) / (2 (z^2 + a^2)) R(x)^2 with x^2 = (1 + a) z / (z + a). The first
+  // factor is the behaviour far from grazing angles. The substitution x resolves both ends. R is a
+  // Chebyshev series.
  public:
   /// Roughness in [1e-4, 1]; throws std::invalid_argument otherwise. Takes a few ms.
   explicit GgxLoss(double alpha) : alpha_(alpha) {

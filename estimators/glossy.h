@@ -15,10 +15,10 @@ namespace fairlight {
 /// Domain   z > 0, else f = 0 (draws below weigh 0); n in [0, 1e8]; albedo in [0,1] per channel
 /// Random   u in [0,1)^2
 /// Source   Lafortune and Willems 1994; the paper, 3.1
-// It reflects its albedo at normal incidence, and less elsewhere, as the surface cuts the lobe and
-// the cosine is smaller. For n to infinity it reflects albedo cos(theta_out).
 template <class Real, template <class> class Directions = PowerCosineLobe>
 class Glossy {
+  // It reflects its albedo at normal incidence, and less elsewhere, as the surface cuts the lobe
+  // and the cosine is smaller. For n to infinity it reflects albedo cos(theta_out).
  public:
   using Scalar = Real;
   static constexpr int dimensions = 2;

@@ -69,10 +69,10 @@ class CircularAperture {
 /// Random   u in [0,1)^2
 /// Source   Turk 1990, "Generating random points in triangles"; Pharr, Jakob, Humphreys, PBR 4ed,
 ///          5.4
-// u_x chooses one of n triangles about the centre. The rest of u_x gives the distance from the
-// centre, and u_y the place along the blade.
 template <class Real>
 class PolygonalAperture {
+  // u_x chooses one of n triangles about the centre. The rest of u_x gives the distance from the
+  // centre, and u_y the place along the blade.
  public:
   using Scalar = Real;
   using Point = Vec2<Real>;

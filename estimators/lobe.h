@@ -14,12 +14,11 @@ namespace fairlight {
 /// Random   u in [0,1)^2
 /// Source   Lafortune and Willems 1994, "Using the modified Phong reflectance model for physically
 ///          based rendering"
-// The surface may cut off a part of the lobe. For n < 1 rounding can move a draw to 90 degrees or
-// beyond, where it has density 0.
-// Computes with 1 - cos(alpha), which suits any exponent: in floats, cos(alpha)^(10^6) turns the
-// rounding of the cosine into an error of 6 %.
 template <class Real>
 class PowerCosineLobe {
+  // The surface may cut off a part of the lobe. For n < 1 rounding can move a draw to 90 degrees or
+  // beyond, where it has density 0. Computes with 1 - cos(alpha), which suits any exponent: in
+  // floats, cos(alpha)^(10^6) turns the rounding of the cosine into an error of 6 %.
  public:
   using Scalar = Real;
   using Point = Vec3<Real>;

@@ -23,11 +23,11 @@ WeightedLobe(Part, typename Part::Scalar, typename Part::Scalar) -> WeightedLobe
 /// Domain   that of the lobes; w_i >= 0, q_i in [0,1], q_1 + q_2 = 1; w_i = 0 if q_i = 0
 /// Random   u_0 in [0,1) chooses the lobe; the lobe takes the following numbers
 /// Source   Veach and Guibas 1995 (the one-sample model, balance heuristic)
-// A bounce is drawn from lobe i with probability q_i. If it has a density, it weighs f |cos| / p.
-// If it is a single direction, it weighs w_i / q_i times its weight in lobe i: the other lobe finds
-// this direction with probability 0, so it adds nothing.
 template <Bsdf First, Bsdf Second>
 class Mixture {
+  // A bounce is drawn from lobe i with probability q_i. If it has a density, it weighs f |cos| / p.
+  // If it is a single direction, it weighs w_i / q_i times its weight in lobe i: the other lobe
+  // finds this direction with probability 0, so it adds nothing.
  public:
   using Scalar = typename First::Scalar;
   static constexpr int dimensions = 1 + std::max(First::dimensions, Second::dimensions);

@@ -29,10 +29,10 @@ W second_sobol_reversed(W x) {
 /// Random   four words for five numbers of a set, a hash for orders and factors; in double, more
 ///          words for the digits after the 24th
 /// Source   Burley 2020, "Practical hash-based Owen scrambling"; PBR 4ed, 8.6.5
-// Each pair of each vertex has its own scrambling seeds and its own order of the set's points. So
-// every pair is a (0,2)-net, and different pairs are related by chance only. A single number is the
-// first of the two dimensions. No table is needed, so lanes may be at different vertices.
 class PaddedSobol {
+  // Each pair of each vertex has its own scrambling seeds and its own order of the set's points. So
+  // every pair is a (0,2)-net, and different pairs are related by chance only. A single number is
+  // the first of the two dimensions. No table is needed, so lanes may be at different vertices.
  public:
   PaddedSobol(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}
 

@@ -11,9 +11,9 @@ namespace fairlight {
 /// Domain   sets of n = 2^m <= 1024 points (throws std::invalid_argument otherwise)
 /// Random   four words for five numbers of a set, and an independent block for the jitter
 /// Source   Cook 1986, "Stochastic sampling in computer graphics"; PBR 4ed, 8.5 (StratifiedSampler)
-// Each pair of each vertex has its own grid of 2^ceil(m/2) by 2^floor(m/2) cells. Each cell holds
-// one of the 2^m points of a set, in the pair's own order. A single number has 2^m strata.
 class PaddedStrata {
+  // Each pair of each vertex has its own grid of 2^ceil(m/2) by 2^floor(m/2) cells. Each cell holds
+  // one of the 2^m points of a set, in the pair's own order. A single number has 2^m strata.
  public:
   PaddedStrata(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}
 

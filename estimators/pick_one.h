@@ -23,10 +23,10 @@ struct Pick {
 /// Random   u in [0,1)^2; u_y refines u_x
 /// Source   the paper, A.1; Lemire 2019, "Fast random integer generation in an interval" (by
 ///          multiplication)
-// The integer part of n U, where U has 48 bits: the first 24 of each number. The 24 bits of one
-// float cannot choose evenly among 10^5.
 template <class Real>
 class UniformChoice {
+  // The integer part of n U, where U has 48 bits: the first 24 of each number. The 24 bits of one
+  // float cannot choose evenly among 10^5.
  public:
   explicit UniformChoice(int n) : n_(n) {
     if (n < 1) throw std::invalid_argument("a choice among no alternatives (give at least one)");

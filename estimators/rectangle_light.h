@@ -11,13 +11,13 @@ namespace fairlight {
 /// A rectangle that emits from both faces, like all surfaces of a scene; for a one-sided light the
 /// other radiance is 0. It is not visible from its own plane. `on_surface` marks points on that
 /// plane: rounding would put them beside it, where the rectangle fills half of all directions.
-// In the rectangle's axes a corner is accurate to a few ulp of its distance. If the point is nearer
-// to the plane than that, or the rectangle smaller, the densities are those of a slightly different
-// rectangle. Directions are accurate to a few ulp of 1 rad. Rounding can move one past an edge; it
-// must have a density all the same, so the support extends beyond the edge by 4 ulp of 1 rad, or by
-// the edge's length if that is less.
 template <class Real>
 class RectangleLight {
+  // In the rectangle's axes a corner is accurate to a few ulp of its distance. If the point is
+  // nearer to the plane than that, or the rectangle smaller, the densities are those of a slightly
+  // different rectangle. Directions are accurate to a few ulp of 1 rad. Rounding can move one past
+  // an edge; it must have a density all the same, so the support extends beyond the edge by 4 ulp
+  // of 1 rad, or by the edge's length if that is less.
  public:
   /// A corner and the two edges from it [m], within the range of `longest`. `on_surface`: the
   /// points from which it is seen lie on it. Throws std::invalid_argument outside the range, and
@@ -133,11 +133,11 @@ class RectangleByArea {
 /// Random   u in [0,1)^2
 /// Source   Urena, Fajardo, King 2013, "An area-preserving parametrization for spherical
 ///          rectangles"
-// There is no such direction from the rectangle's own plane, or if S < 1 / largest_density, or if
-// the plane is nearer than 1e-15 (floats) or 1e-60 (double) times the largest coordinate of a
-// corner.
 template <class Real>
 class RectangleBySolidAngle {
+  // There is no such direction from the rectangle's own plane, or if S < 1 / largest_density, or if
+  // the plane is nearer than 1e-15 (floats) or 1e-60 (double) times the largest coordinate of a
+  // corner.
  public:
   using Scalar = Real;
 

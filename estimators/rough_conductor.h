@@ -18,13 +18,13 @@ namespace fairlight {
 ///          Reflectance is F, from the cosine at the facet to an Rgb
 /// Random   u in [0,1)^2
 /// Source   Walter et al. 2007; Heitz 2018
-// Light that facets reflect onto each other is lost: of white light up to 69 % at alpha = 1
-// (docs/estimators.md). EnergyCompensatedConductor adds it. Below z = 1e-27 in floats, 1e-290 in
-// double, f would be NaN. p integrates to the probability that a facet reflects upwards. A bounce
-// weighs F G2/G1 <= F.
 template <class Real, class Reflectance = ConstantReflectance<Real>, class Facets = Ggx<Real>,
           class Normals = GgxVisibleNormals<Real>>
 class RoughConductor {
+  // Light that facets reflect onto each other is lost: of white light up to 69 % at alpha = 1
+  // (docs/estimators.md). EnergyCompensatedConductor adds it. Below z = 1e-27 in floats, 1e-290 in
+  // double, f would be NaN. p integrates to the probability that a facet reflects upwards. A bounce
+  // weighs F G2/G1 <= F.
  public:
   using Scalar = Real;
   static constexpr int dimensions = 2;

@@ -41,17 +41,17 @@ W reverse_bits(W x) {
   return ((x & W(0xAAAAAAAAu)) >> 1) | ((x & W(0x55555555u)) << 1);
 }
 
+// If shift and factor are uniform, every number is uniform (by the shift alone), and two numbers
+// that first differ at digit j become a uniform pair among those that first differ there. For two
+// points that is the law of Owen's scrambling, so a mean has the same variance. For three points
+// the law is nearly Owen's: without x (2x + 1), equal steps would stay equal, and rare sets would
+// carry all of the error.
 /// Owen's nested scrambling of binary digits: each digit is flipped or not, depending on the digits
 /// before it and on the seeds. On reversed digits this is an operation that carries upwards only:
 /// an odd factor, a shift, and x (2x + 1), which is one to one.
 /// Source   Owen 1995, 2003 ("Variance with alternative scramblings of digital nets": pairs of
 ///          points decide the variance); Laine and Karras 2011 (carries); Rivest et al. 1998, "The
 ///          RC6 block cipher" (x (2x + 1))
-// If shift and factor are uniform, every number is uniform (by the shift alone), and two numbers
-// that first differ at digit j become a uniform pair among those that first differ there. For two
-// points that is the law of Owen's scrambling, so a mean has the same variance. For three points
-// the law is nearly Owen's: without x (2x + 1), equal steps would stay equal, and rare sets would
-// carry all of the error.
 template <class W, class Seed>
 W scramble_upwards(const W& reversed, const Seed& shift, const Seed& factor) {
   const W x = reversed * (W(factor) | W(1u)) + W(shift);
@@ -70,12 +70,12 @@ W nested_scramble(const W& digits, std::uint32_t shift, std::uint32_t factor) {
 ///          two
 /// Random   for each two dimensions: four words per replicate, four per point
 /// Source   Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences"; Burley 2020
-// A number has 32 scrambled digits. In double 21 random digits follow, as the scrambling would
-// continue: different points have differed by then. Packets keep the first 24. Dimensions from 64
-// on come in groups of four, each the first four dimensions with new scrambling and a new order;
-// the order scrambles the points' numbers, so aligned blocks of 2^k points stay together.
 template <class Real>
 class OwenSobol {
+  // A number has 32 scrambled digits. In double 21 random digits follow, as the scrambling would
+  // continue: different points have differed by then. Packets keep the first 24. Dimensions from 64
+  // on come in groups of four, each the first four dimensions with new scrambling and a new order;
+  // the order scrambles the points' numbers, so aligned blocks of 2^k points stay together.
  public:
   using Scalar = Real;
 

@@ -11,17 +11,17 @@ namespace fairlight {
 /// A sphere as seen from a point, in a frame whose +z leads from the point to the centre. With
 /// radius r and distance d of the centre, all formulas use the height h = d - r above the surface.
 /// So nothing cancels for a point near a large sphere or far from a small one.
-// A point outside (h > 0) sees the outer face; a point inside (h < 0) sees the inner face. A point
-// on the surface (h = 0) also sees the inner face, in the half of all directions that lead inwards.
-// A branch that a select drops may be NaN.
-// The height is accurate to a few ulp of d, as the point itself is. Closer to the surface than that
-// (in floats some cm for a sphere of 1e5 m), the sphere appears as from a point displaced by that
-// error, maybe to the other side. `on_surface` decides such cases.
-// A direction is accurate to a few ulp of 1 rad. Rounding can move one past the rim; it must have a
-// density all the same, or the weights of multiple importance sampling would not sum to 1. So the
-// support extends `rim` beyond the edge, however small the sphere.
 template <class Real>
 class SphereFromPoint {
+  // A point outside (h > 0) sees the outer face; a point inside (h < 0) sees the inner face. A
+  // point on the surface (h = 0) also sees the inner face, in the half of all directions that lead
+  // inwards. A branch that a select drops may be NaN. The height is accurate to a few ulp of d, as
+  // the point itself is. Closer to the surface than that (in floats some cm for a sphere of 1e5 m),
+  // the sphere appears as from a point displaced by that error, maybe to the other side.
+  // `on_surface` decides such cases. A direction is accurate to a few ulp of 1 rad. Rounding can
+  // move one past the rim; it must have a density all the same, or the weights of multiple
+  // importance sampling would not sum to 1. So the support extends `rim` beyond the edge, however
+  // small the sphere.
  public:
   /// The smallest r / d. Below it, densities overflow or are NaN in Real.
   static constexpr Lane<Real> smallest = in_floats<Real> ? Lane<Real>(1e-15) : Lane<Real>(1e-120);

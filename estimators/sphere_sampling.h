@@ -12,9 +12,9 @@ namespace fairlight {
 /// Domain   directions that hit the sphere (from its surface: that lead inwards); else density 0
 /// Random   u in [0,1)^2
 /// Source   Shirley, Wang, Zimmerman 1996, 3.1; the paper, 3.2
-// The points are drawn about the axis to the lit point, so near points lose no digits.
 template <class Real, template <class> class Points = UniformSphereArea>
 class SphereByArea {
+  // The points are drawn about the axis to the lit point, so near points lose no digits.
  public:
   using Scalar = Real;
 
@@ -42,10 +42,10 @@ class SphereByArea {
 ///          elsewhere
 /// Random   u in [0,1)^2
 /// Source   Shirley, Wang, Zimmerman 1996, 3.1
-// From outside, only the cap with n_z > r/d is visible; the other samples do not exist. Inside and
-// on the surface the whole sphere is visible, and the points are uniform on all of it.
 template <class Real, template <class> class Points = UniformSphereArea>
 class SphereByVisibleHemisphere {
+  // From outside, only the cap with n_z > r/d is visible; the other samples do not exist. Inside
+  // and on the surface the whole sphere is visible, and the points are uniform on all of it.
  public:
   using Scalar = Real;
 
@@ -77,10 +77,10 @@ class SphereByVisibleHemisphere {
 /// Domain   directions in the cone, to rounding; the density is 0 elsewhere
 /// Random   u in [0,1)^2
 /// Source   Shirley, Wang, Zimmerman 1996, 3.2; the cancellation: pbrt-v3 #212
-// All samples exist. Nothing cancels, however small the cone: with sin(a) = r/d, 1 - cos(a) =
-// sin^2(a) / (1 + cos(a)).
 template <class Real>
 class SphereByCone {
+  // All samples exist. Nothing cancels, however small the cone: with sin(a) = r/d, 1 - cos(a) =
+  // sin^2(a) / (1 + cos(a)).
  public:
   using Scalar = Real;
 

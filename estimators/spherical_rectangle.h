@@ -11,18 +11,17 @@ namespace fairlight {
 /// solid angle on either side of it, and u_y chooses y by the sines of the angles above and below
 /// it. Unlike there, no step subtracts large, almost equal angles, so the rectangle may be small,
 /// far away or seen at a grazing angle.
-// Let K(x) be the solid angle of [0, x] x [y0, y1], b_i = atan(y_i / z) and sin(A_i) = sin(b_i) x /
-// sqrt(z^2 + x^2). Then K = A_1 - A_0 (Urena et al., eq. 5, rewritten). Let s be half the solid
-// angle of the strip between y0 and y1 beyond x: K = (b_1 - b_0) - 2 s. Solving for x,
-//   x = z (w cos 2s - m sin 2s) /
-//       (2 sqrt(sin s (w cos s - m sin s) (z cos s + y1 sin s) (z cos s - y0 sin s)))
-// with w = z (y1 - y0) and m = z^2 + y0 y1. For s <= (b_1 - b_0) / 2, that is x >= 0, nothing
-// cancels under the root; otherwise the strip is measured from its other end.
-// All lengths are divided by the largest coordinate, and no product has more than two of them
-// before a division or a root. So nothing overflows, and underflow loses at most a fraction of
-// 1e-36 of the whole.
 template <class Real>
 class SphericalRectangle {
+  // Let K(x) be the solid angle of [0, x] x [y0, y1], b_i = atan(y_i / z) and sin(A_i) = sin(b_i) x
+  // / sqrt(z^2 + x^2). Then K = A_1 - A_0 (Urena et al., eq. 5, rewritten). Let s be half the solid
+  // angle of the strip between y0 and y1 beyond x: K = (b_1 - b_0) - 2 s. Solving for x,
+  //   x = z (w cos 2s - m sin 2s) /
+  //       (2 sqrt(sin s (w cos s - m sin s) (z cos s + y1 sin s) (z cos s - y0 sin s)))
+  // with w = z (y1 - y0) and m = z^2 + y0 y1. For s <= (b_1 - b_0) / 2, that is x >= 0, nothing
+  // cancels under the root; otherwise the strip is measured from its other end. All lengths are
+  // divided by the largest coordinate, and no product has more than two of them before a division
+  // or a root. So nothing overflows, and underflow loses at most a fraction of 1e-36 of the whole.
  public:
   /// `corner` is the corner of smallest x and y in the rectangle's axes [m], with z of either sign.
   /// The far corner is computed before any division: if it is near the origin, the sum of a

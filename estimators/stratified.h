@@ -14,11 +14,11 @@ namespace fairlight {
 /// Domain   n from 1 to 2^28 (throws std::invalid_argument otherwise)
 /// Random   for each two dimensions: two words per replicate, four per point
 /// Source   Cook 1986, "Stochastic sampling in computer graphics"; the permutation by Kensler 2013
-// If n fills the grid, every cell holds one point. Otherwise fewer than `columns` cells, chosen at
-// random, stay empty. A point falls into any cell with equal probability, so it is uniform for
-// every n.
 template <class Real>
 class Stratified {
+  // If n fills the grid, every cell holds one point. Otherwise fewer than `columns` cells, chosen
+  // at random, stay empty. A point falls into any cell with equal probability, so it is uniform for
+  // every n.
  public:
   using Scalar = Real;
 

@@ -161,10 +161,10 @@ W shuffled(const W& i, std::uint32_t bits, const W& word) {
 /// depend on the lane.
 /// Source   Salmon et al. 2011; Pharr, Jakob, Humphreys, PBR 4ed, 8.3 (pairs and single numbers are
 ///          separate requests)
-// `numbers.block(at, b, part)` gives five numbers, or only the first pair. With `first_pair`, a
-// vertex that needs more numbers than that takes the first pairs of further blocks.
 template <class Real, class Numbers>
 class VertexSource {
+  // `numbers.block(at, b, part)` gives five numbers, or only the first pair. With `first_pair`, a
+  // vertex that needs more numbers than that takes the first pairs of further blocks.
  public:
   VertexSource(const Numbers& numbers, const PathVertex<Real>& at, BlockPart part = BlockPart::all)
       : numbers_(numbers), at_(at), part_(part) {}
