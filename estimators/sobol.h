@@ -41,11 +41,12 @@ W reverse_bits(W x) {
   return ((x & W(0xAAAAAAAAu)) >> 1) | ((x & W(0x55555555u)) << 1);
 }
 
-// If shift and factor are uniform, every number is uniform (by the shift alone), and two numbers
-// that first differ at digit j become a uniform pair among those that first differ there. For two
-// points that is the law of Owen's scrambling, so a mean has the same variance. For three points
-// the law is nearly Owen's: without x (2x + 1), equal steps would stay equal, and rare sets would
-// carry all of the error.
+// scramble_upwards follows Owen's law for two points, so a mean has the same variance: if shift and
+// factor are uniform, every number is uniform (by the shift alone), and two numbers that first
+// differ at digit j become a uniform pair among those that first differ there. For three points the
+// law is nearly Owen's: without x (2x + 1), equal steps would stay equal, and rare sets would carry
+// all of the error.
+
 /// Owen's nested scrambling of binary digits: each digit is flipped or not, depending on the digits
 /// before it and on the seeds. On reversed digits this is an operation that carries upwards only:
 /// an odd factor, a shift, and x (2x + 1), which is one to one.
