@@ -16,23 +16,21 @@
 
 namespace fairlight {
 
-/// How many samples each pixel of an image gets out of a budget: scores say how much a pixel wants, `share_out`
-/// makes counts of them, and a form (allocation_unbiased.h, allocation_naive.h) decides what becomes of the samples
-/// that the scores were made from.
-///
-/// A pixel's samples come from `draw(pixel, first, n)`, which gives those with the numbers first, ..., first + n - 1
-/// (pixel_draws.h): a function of the three alone. What it gives in two calls is independent, so an adaptive image
-/// depends on no order and no thread, and a stage on no later one; the samples of one call may depend on each
-/// other, as the points of a set do. The image as a whole is one draw of a random variable: its pixels are not
-/// independent of each other, and only whole images may be averaged or tested.
-///
-/// Scores and counts are in double only: they are whole numbers, which differ from pixel to pixel, and which a
-/// rounded score would change. The draws may be made in packets, whose lanes are consecutive samples.
+/// Splits a budget of samples between the pixels of an image. A score says how much a pixel wants,
+/// and `share_out` turns the scores into sample counts. A form (allocation_unbiased.h,
+/// allocation_naive.h) decides whether the samples that made the scores count in the image.
+/// `draw(pixel, first, n)` gives a pixel's samples number first, ..., first + n - 1
+/// (pixel_draws.h). The pixels of an adaptive image are not independent: only whole images may be
+/// averaged or tested.
+// `draw` is a function of its three arguments alone, so the image does not depend on order or
+// threads. Two calls give independent samples; the samples of one call may depend on each other, as
+// the points of a set do. Scores and counts are in double, as rounding a score would change a
+// count. The draws may be made in packets, whose lanes are consecutive samples.
 
-/// An image's size; pixel y * width + x is the x-th of row y.
+/// The size of an image. Pixel y * width + x is pixel x of row y.
 class PixelGrid {
  public:
-  /// Throws std::invalid_argument for an image without pixels, or of 2^32 and more.
+  /// Throws std::invalid_argument for an image with no pixels, or with 2^32 or more.
   constexpr PixelGrid(std::size_t width, std::size_t height) : width_(width), height_(height) {
     if (width == 0 || height == 0)
       throw std::invalid_argument("an image without pixels (there is nothing to sample)");
@@ -48,19 +46,20 @@ class PixelGrid {
   std::size_t width_, height_;
 };
 
-/// The earlier samples of every pixel.
+/// The moments of the samples that each pixel has so far.
 using PixelHistories = std::vector<Moments>;
-/// How many samples every pixel gets.
+/// The number of samples for each pixel.
 using SampleCounts = std::vector<std::uint64_t>;
 
-/// How much each pixel wants, as nonnegative numbers without a unit, from at least `needs` earlier samples of each.
+/// How much each pixel wants: nonnegative numbers without a unit. Each pixel has at least `needs`
+/// earlier samples.
 template <class T>
 concept AllocationScore = requires(PixelGrid grid, PixelHistories histories) {
   { T::needs } -> std::convertible_to<std::uint64_t>;
   { T::of(grid, histories) } -> std::same_as<std::vector<double>>;
 };
 
-/// Every pixel alike. Source: elementary.
+/// All pixels get the same score. Source: elementary.
 struct UniformAllocation {
   static constexpr std::uint64_t needs = 0;
   static std::vector<double> of(const PixelGrid& grid, const PixelHistories&) {
@@ -68,8 +67,9 @@ struct UniformAllocation {
   }
 };
 
-/// In proportion to the standard deviation of the pixel's samples, which gives the least error of the image where
-/// it is known. Source: Neyman 1934, "On the two different aspects of the representative method".
+/// The score is the standard deviation of the pixel's samples. If it were known exactly, it would
+/// give the least error of the image.
+/// Source   Neyman 1934, "On the two different aspects of the representative method"
 struct AllocationByDeviation {
   static constexpr std::uint64_t needs = 2;
   static std::vector<double> of(const PixelGrid&, const PixelHistories& histories) {
@@ -79,8 +79,8 @@ struct AllocationByDeviation {
   }
 };
 
-/// In proportion to the variance of the pixel's samples.
-/// Source: the paper, 3.2.2 ("probability proportional to the variance of the previous samples").
+/// The score is the variance of the pixel's samples.
+/// Source   the paper, 3.2.2 ("probability proportional to the variance of the previous samples")
 struct AllocationByVariance {
   static constexpr std::uint64_t needs = 2;
   static std::vector<double> of(const PixelGrid&, const PixelHistories& histories) {
@@ -90,9 +90,10 @@ struct AllocationByVariance {
   }
 };
 
-/// In proportion to the contrast of the pixel with those around it, up to eight: the mean of |m_i - m_j| over them,
-/// m being the means so far. Source: the paper, 3.2.2 ("how similar the current value at a pixel is to those that
-/// surround it").
+/// The score is the contrast of the pixel with its neighbours, of which there are up to eight: the
+/// mean of |m_i - m_j| over the neighbours j, where m is the mean so far.
+/// Source   the paper, 3.2.2 ("how similar the current value at a pixel is to those that surround
+///          it")
 struct AllocationByNeighbours {
   static constexpr std::uint64_t needs = 1;
   static std::vector<double> of(const PixelGrid& grid, const PixelHistories& histories) {
@@ -121,7 +122,8 @@ struct AllocationByNeighbours {
 
 namespace detail {
 
-/// Scores as whole numbers, the largest being 2^53, so that shares of them are exact; all alike where all are zero.
+/// Scales the scores to integers, the largest to 2^53, so that shares of them are exact. If all
+/// scores are 0, all weights are 1.
 inline std::vector<std::uint64_t> whole_weights(const std::vector<double>& scores) {
   double largest = 0;
   for (double score : scores) {
@@ -139,18 +141,19 @@ inline std::vector<std::uint64_t> whole_weights(const std::vector<double>& score
 
 }  // namespace detail
 
-/// `least` samples for every pixel, and the rest of the budget in proportion to the scores, to whole samples by the
-/// largest remainders, the first pixel winning a tie. The counts sum to the budget exactly.
-/// Throws std::invalid_argument for no scores, one that is negative, infinite or not a number, or a budget below
-/// `least` for each.
-/// Source: Hamilton's method; Balinski and Young 1982, "Fair Representation"
+/// Gives each pixel `least` samples, and shares the rest of the budget in proportion to the scores.
+/// Rounds to integers by the largest remainders; the first pixel wins a tie. The counts sum to the
+/// budget exactly.
+/// Throws std::invalid_argument if there are no scores, if a score is negative, infinite or NaN, or
+/// if the budget is below `least` per pixel.
+/// Source   Hamilton's method; Balinski and Young 1982, "Fair Representation"
 inline SampleCounts share_out(std::uint64_t budget, const std::vector<double>& scores, std::uint64_t least) {
   if (scores.empty()) throw std::invalid_argument("a budget for no pixels (give at least one score)");
   if (budget / scores.size() < least) {
     throw std::invalid_argument("a budget of " + std::to_string(budget) + " samples (" +
                                 std::to_string(scores.size()) + " pixels need " + std::to_string(least) + " each)");
   }
-  __extension__ using Wide = unsigned __int128;  // holds a budget times a weight
+  __extension__ using Wide = unsigned __int128;  // holds the product of a budget and a weight
   const auto weights = detail::whole_weights(scores);
   const std::uint64_t rest = budget - least * scores.size();
   const Wide sum = std::accumulate(weights.begin(), weights.end(), Wide{0});

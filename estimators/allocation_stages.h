@@ -4,17 +4,17 @@
 
 namespace fairlight {
 
-/// What an image may cost, and what the first scores are made from.
+/// The number of samples of an image, and of its pilot.
 struct AllocationPlan {
   PixelGrid grid;
-  std::uint64_t budget;  ///< samples of the whole image, the pilot's included; met exactly
+  std::uint64_t budget;  ///< samples of the whole image, pilot included; used up exactly
   std::uint64_t pilot;   ///< samples of every pixel before the first scores
 };
 
 namespace detail {
 
-/// Throws std::invalid_argument unless the pilot is as large as `needs`, and the budget holds it and `after` more
-/// samples for every pixel.
+/// Throws std::invalid_argument unless the pilot has at least `needs` samples, and the budget
+/// covers the pilot and `after` more samples for every pixel.
 inline void check_plan(const AllocationPlan& plan, std::uint64_t budget, std::uint64_t needs, std::uint64_t after) {
   if (plan.pilot < needs) {
     throw std::invalid_argument("a pilot of " + std::to_string(plan.pilot) + " samples a pixel (at least " +
@@ -28,14 +28,14 @@ inline void check_plan(const AllocationPlan& plan, std::uint64_t budget, std::ui
   }
 }
 
-/// The draws with the numbers from `start` on.
+/// The same draws, with sample numbers shifted by `start`.
 template <class Draw>
 auto from_sample(std::uint64_t start, const Draw& draw) {
   return
       [=, &draw](std::size_t pixel, std::uint64_t first, std::uint64_t n) { return draw(pixel, start + first, n); };
 }
 
-/// The next counts[i] samples of every pixel i, after those of its history.
+/// Draws counts[i] samples of each pixel i, numbered after those of its history.
 template <class Draw>
 PixelHistories draw_stage(const Draw& draw, const PixelHistories& histories, const SampleCounts& counts) {
   PixelHistories stage;
@@ -45,7 +45,7 @@ PixelHistories draw_stage(const Draw& draw, const PixelHistories& histories, con
   return stage;
 }
 
-/// The same number of first samples for every pixel.
+/// Draws the first `plan.pilot` samples of every pixel.
 template <class Draw>
 PixelHistories draw_pilot(const AllocationPlan& plan, const Draw& draw) {
   return draw_stage(draw, PixelHistories(plan.grid.size()), SampleCounts(plan.grid.size(), plan.pilot));
@@ -63,13 +63,14 @@ inline std::vector<double> means(const PixelHistories& histories) {
 
 }  // namespace detail
 
-/// Sampling in stages: the pilot, then the rest of the budget in `stages` - 1 parts as equal as whole samples
-/// allow, each shared out by the scores of all the samples before it.
+/// Samples in stages: first the pilot, then the rest of the budget in `stages` - 1 parts, which are
+/// as equal as integers allow. The scores of all earlier samples share out each part.
 template <AllocationScore Score>
 class StagedSampling {
  public:
-  /// `least` samples of every pixel in each stage after the pilot. Throws std::invalid_argument for fewer than two
-  /// stages, a pilot that is empty or below what the score needs, or a budget that is too small.
+  /// Each stage after the pilot gives every pixel at least `least` samples. Throws
+  /// std::invalid_argument if there are fewer than two stages, if the pilot is empty or smaller
+  /// than the score needs, or if the budget is too small.
   StagedSampling(AllocationPlan plan, std::uint64_t stages, std::uint64_t least)
       : plan_(plan), stages_(stages), least_(least) {
     if (stages < 2) throw std::invalid_argument("fewer than two stages (the first is the pilot)");
@@ -86,7 +87,7 @@ class StagedSampling {
   std::uint64_t stages() const { return stages_; }
   const AllocationPlan& plan() const { return plan_; }
 
-  /// The samples of a stage, of all pixels together; fixed in advance.
+  /// The number of samples of a stage, over all pixels. It is fixed in advance.
   std::uint64_t budget(std::uint64_t stage) const {
     const std::uint64_t pilot = plan_.pilot * plan_.grid.size();
     if (stage == 0) return pilot;
@@ -94,7 +95,7 @@ class StagedSampling {
     return rest / (stages_ - 1) + (stage <= rest % (stages_ - 1) ? 1 : 0);
   }
 
-  /// What every stage drew, by itself.
+  /// The moments of each stage on its own.
   template <class Draw>
   std::vector<PixelHistories> run(const Draw& draw) const {
     std::vector<PixelHistories> drawn{detail::draw_pilot(plan_, draw)};

@@ -4,15 +4,17 @@
 
 namespace fairlight {
 
-/// Adaptive images that are unbiased by construction, whatever the scores: no sample counts in a mean whose number
-/// of samples it helped to choose. (Where it does, dark pilots are frozen and bright ones are washed out by many
-/// more samples, which darkens: allocation_naive.h.) `estimate(draw)` gives the mean of every pixel.
-///
-/// Bound: a pixel lies within the range of its draws.
+/// Adaptive images that are unbiased by construction, for any scores: a sample never counts in a
+/// mean whose number of samples it helped to choose. If it did, dark pixels would stay dark and
+/// bright ones would be diluted by many more samples, so the image would be too dark
+/// (allocation_naive.h). `estimate(draw)` gives the mean of every pixel.
+/// Bound    a pixel lies within the range of its draws
 
-/// The pilot's samples decide, and are thrown away.
-/// Formula  I_i = the mean of n_i samples, n_i a function of the pilot, which is independent of them; n_i >= 1
-/// Domain   budget >= pixels (pilot + 1); pilot at least what the score needs, and 0 makes plain uniform sampling
+/// The pilot decides the sample counts, and is then thrown away.
+/// Formula  I_i = the mean of n_i samples; n_i >= 1 is a function of the pilot, which is
+///          independent of them
+/// Domain   budget >= pixels (pilot + 1); the pilot has at least what the score needs; a pilot of 0
+///          is plain uniform sampling
 /// Random   pixel i's samples by draw(i, first, n), the pilot's first
 /// Source   Kirk and Arvo 1991, "Unbiased sampling techniques for image synthesis"
 template <AllocationScore Score>
@@ -34,13 +36,13 @@ class DiscardedPilot {
   AllocationPlan plan_;
 };
 
-/// Each stage's means count with a weight that was fixed before anything was drawn: its part of the budget. Given
-/// the stages before it, a stage's mean is unbiased, so the weighted sum is.
-/// Formula  I_i = sum_k (b_k / b) m_ik, b_k the samples of stage k in the whole image, m_ik the mean of pixel i's
-///          in it
-/// Domain   two stages or more, each with a sample of every pixel; the pilot is the first
+/// Weights the mean of each stage by its part of the budget, which is fixed in advance. Given the
+/// earlier stages, the mean of a stage is unbiased; so the weighted sum is unbiased.
+/// Formula  I_i = sum_k (b_k / b) m_ik; b_k is the number of samples of stage k in the whole image,
+///          m_ik the mean of pixel i in stage k
+/// Domain   two stages or more, each with a sample of every pixel; the first is the pilot
 /// Random   pixel i's samples by draw(i, first, n), stage after stage
-/// Source   Owen and Zhou 2020, "The square root rule for adaptive importance sampling" (weights fixed in advance)
+/// Source   Owen and Zhou 2020, "The square root rule for adaptive importance sampling"
 template <AllocationScore Score>
 class FixedStageWeights {
  public:
@@ -63,17 +65,19 @@ class FixedStageWeights {
   StagedSampling<Score> sampling_;
 };
 
-/// Two independent halves, each with a pilot that sizes the other half and counts in its own: nothing is thrown
-/// away. There are no further stages: a half's later samples were sized by the other's pilot, so what they show
-/// depends on it, and to size that other half by them would choose its counts by its own pilot again.
-/// Formula  I_i = (A_i + B_i) / 2, A_i the mean of the first half's samples, their number a function of B's pilot
-///          alone
-/// Domain   half the budget >= pixels times pilot, a pilot being that of one half, and not empty
-/// Random   pixel i's samples by draw(i, first, n) in the first half, and by draw(i, budget + first, n) in the second
-/// Source   cross-fitting, after Cox 1975, "A note on data-splitting"; two buffers that steer each other:
-///          Rousselle, Knaus, Zwicker 2012
+/// Two independent halves. The pilot of each half chooses the sample counts of the other half, and
+/// counts in the mean of its own half. So no sample is thrown away.
+/// Formula  I_i = (A_i + B_i) / 2; A_i is the mean of the first half's samples, and their number
+///          depends on B's pilot alone; B_i likewise
+/// Domain   half the budget >= pixels times pilot; `pilot` is that of one half, and is not 0
+/// Random   pixel i's samples: draw(i, first, n) in half A, draw(i, budget + first, n) in half B
+/// Source   cross-fitting, after Cox 1975, "A note on data-splitting"; dual buffers: Rousselle,
+///          Knaus, Zwicker 2012
 template <AllocationScore Score>
 class CrossedHalves {
+  // There is no third stage. The later samples of a half depend on the other half's pilot through
+  // their number. If they chose the counts of that other half, its own pilot would again choose its
+  // counts.
  public:
   /// Throws std::invalid_argument outside the domain.
   explicit CrossedHalves(AllocationPlan plan) : plan_(plan) {
@@ -93,7 +97,7 @@ class CrossedHalves {
   }
 
  private:
-  /// The means of a half that has drawn `own`, continued as the other's pilot says.
+  /// The means of one half. `own` is its pilot, `other` the pilot that chooses its further counts.
   template <class Draw>
   std::vector<double> half(const Draw& draw, PixelHistories own, const PixelHistories& other,
                            std::uint64_t budget) const {

@@ -8,17 +8,17 @@
 
 namespace fairlight {
 
-/// Offsets from a pixel's centre, weighted by the window of Blackman and Harris: smooth like a Gaussian, and nearly zero
-/// at a finite radius. Sampled by Halley's method: in double and in floats the root is that of a u within a few units in
-/// the last place of 1.
-/// Formula  p(x, y) = b(x) b(y), b(x) = (a0 + a1 cos(t) + a2 cos(2 t) + a3 cos(3 t)) / (2 a0 r), t = pi x / r,
-///          a = 0.35875, 0.48829, 0.14128, 0.01168
+/// Offsets from a pixel's centre, distributed as the Blackman-Harris window.
+/// Formula  p(x, y) = b(x) b(y), b(x) = sum over k = 0 .. 3 of a_k cos(pi k x / r) / (2 a_0 r), a =
+///          0.35875, 0.48829, 0.14128, 0.01168
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2; the density is 0 elsewhere; r in [1e-6, 1e6] pixels (throws std::invalid_argument otherwise)
+/// Domain   [-r,r]^2, else density 0; r in [1e-6, 1e6] pixels (else std::invalid_argument)
 /// Random   u in [0,1)^2
 /// Source   Harris 1978, "On the use of windows for harmonic analysis", 4-term, -92 dB
 template <class Real>
 class BlackmanHarrisFilter {
+  // The window is smooth like a Gaussian, and nearly zero at a finite radius. Halley's method
+  // inverts its CDF, to within a few units in the last place of 1 in u, in double and in floats.
  public:
   using Scalar = Real;
   using Point = Vec2<Real>;
@@ -40,8 +40,9 @@ class BlackmanHarrisFilter {
   }
 
  private:
-  // One half of the window, by the distance z in [0,1] from its edge in radii: the mass up to z as a part of the half, and
-  // its first two derivatives. In powers of h = sin^2(pi z / 2) the terms are all positive, and lose no digits.
+  // One half of the window at the distance z in [0,1] from its edge, in radii: the mass between the
+  // edge and z, divided by the mass of the half, and its first two derivatives. As a polynomial in
+  // h = sin^2(pi z / 2) all terms are positive, so no digits cancel.
   struct Half {
     Real mass, height, slope;
 
@@ -54,7 +55,7 @@ class BlackmanHarrisFilter {
       const Real h = s * s;
       height = term(6e-5) + h * (term(0.05658) + h * (term(0.5696) + h * term(0.37376)));
       slope = pi<Real> * s * c * (term(0.05658) + h * (Real(2) * term(0.5696) + h * Real(3) * term(0.37376)));
-      const Real cosine = Real(1) - Real(2) * h;  // of the turn pi z, whose sine is 2 s c
+      const Real cosine = Real(1) - Real(2) * h;  // of pi z, whose sine is 2 s c
       mass = z - Real(2) * s * c / pi<Real> *
                      (term(0.48829) - cosine * term(0.14128) +
                       (Real(4) * cosine * cosine - Real(1)) * term(0.01168 / 3));
@@ -63,8 +64,8 @@ class BlackmanHarrisFilter {
     static Real term(double a) { return rounded<Real>(a / 0.35875); }
   };
 
-  // The start is the quantile of a Gaussian of 0.245 radii, cut off at the radius: from there three steps reach the rounding
-  // of double for every u.
+  // The start is the quantile of a Gaussian with a standard deviation of 0.245 radii, truncated at
+  // the radius. From there three steps reach the rounding error of double for every u.
   static Real start_scale() { return rounded<Real>(0.245 * std::numbers::sqrt2); }
 
   Real offset(Real u) const {

@@ -6,25 +6,26 @@
 
 namespace fairlight {
 
-/// Directions at a surface are unit vectors in its local frame, where the normal is +z and the side that is looked at is
-/// z > 0: `out` towards the viewer, `in` towards where the light comes from. One that is not a unit vector is the caller's
-/// mistake, and is never normalised. An `out` that a law is built about (the lobe of Glossy, the visible normals of
-/// RoughConductor) is refused with std::invalid_argument by what draws from that law or gives its density; elsewhere, and
-/// for any `in`, the formula is taken as it stands: a mirror's image of a vector twice as long is twice as long.
+/// Directions at a surface are unit vectors in its local frame: the normal is +z, and the side that
+/// the viewer sees is z > 0. `out` points to the viewer, `in` to where the light comes from.
+/// Vectors are never normalised. Glossy and RoughConductor build a law about `out`; they throw
+/// std::invalid_argument for one that is not a unit vector, where they sample or evaluate that law.
+/// Everywhere else the formula is evaluated as it stands: the mirror image of a vector of length 2
+/// has length 2.
 
-/// A direction that light may have come from, and what it is worth.
+/// A sampled direction and its weight.
 template <class Real>
 struct Bounce {
-  Vec3<Real> in;     ///< local, unit
-  Rgb<Real> weight;  ///< f |cos(in)| / p; 0 where the light is absorbed, or the sample does not exist
-  Density<SolidAngle, Real> density;  ///< p of `in` [1/sr]; 0 where it was a single direction, not a density's
+  Vec3<Real> in;                      ///< local, unit
+  Rgb<Real> weight;                   ///< f |cos(in)| / p; 0 if the light is absorbed or the sample does not exist
+  Density<SolidAngle, Real> density;  ///< p of `in` [1/sr]; 0 for a single direction (delta)
 };
 
-/// What a surface does with light: `eval(out, in)`, the BSDF f without the cosine [1/sr]; `pdf(out, in)`, the density
-/// that `sample` draws `in` with; `sample(out, u)`, a pure function of a point u of the unit cube of `dimensions` numbers. Where light
-/// leaves in single directions (mirror, glass), f and the density have no value, and are 0. The surfaces of this kit also
-/// say `albedo(out)`, the mean of a bounce's weight, which is the integral of f |cos(in)| over `in`: in closed form, or to
-/// the accuracy that is stated there.
+/// `eval(out, in)` is the BSDF f without the cosine [1/sr]. `sample(out, u)` is a pure function of
+/// a point u of the unit cube, which has `dimensions` dimensions. `pdf(out, in)` is the density of
+/// its `in`. For single directions (mirror, glass) f and the density have no value, and are 0.
+/// The surfaces of the kit also have `albedo(out)`, the mean of a bounce's weight, which is the
+/// integral of f |cos(in)| over `in`. It is in closed form, or to the accuracy stated there.
 template <class T>
 concept Bsdf = requires(const T bsdf, Vec3<typename T::Scalar> w,
                         Eigen::Matrix<typename T::Scalar, T::dimensions, 1> u) {
@@ -33,7 +34,7 @@ concept Bsdf = requires(const T bsdf, Vec3<typename T::Scalar> w,
   { bsdf.sample(w, u) } -> std::same_as<Bounce<typename T::Scalar>>;
 };
 
-/// What a surface has in common with all others that send light in single directions only.
+/// Base of the surfaces that send light in single directions only: f and the density are 0.
 template <class Real>
 struct SingleDirections {
   using Scalar = Real;

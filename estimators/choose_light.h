@@ -10,22 +10,24 @@
 
 namespace fairlight {
 
-/// One of n alternatives in proportion to fixed weights, such as the powers of lights. What has no weight has probability
-/// 0 and is never chosen; where nothing has any, or there is nothing, the probability of the pick is 0: there is none.
-/// A binary search of the cumulative weights, to the last bit of both numbers: those of a float tell 2^48 parts.
+/// Chooses one of n alternatives in proportion to fixed weights, such as the powers of lights.
+/// Never chooses an alternative of weight 0. If all weights are 0, or n = 0, there is no choice,
+/// and the pick has probability 0.
 /// Formula  P(i) = w_i / sum w
 /// Measure  discrete
-/// Domain   0 .. n-1, n from 0 to 2^24; w_i >= 0 and finite (throws std::invalid_argument otherwise)
-/// Random   u in [0,1)^2: its second number refines the first
+/// Domain   0 .. n-1, n from 0 to 2^24; w_i >= 0 and finite (else std::invalid_argument)
+/// Random   u in [0,1)^2; u_y refines u_x
 /// Source   Shirley, Wang, Zimmerman 1996, 5; Devroye 1986, III.2 (inversion)
 template <class Real>
 class PowerChoice {
+  // Binary search of the cumulative weights. The comparison uses both random numbers, which
+  // together resolve 2^48 parts in floats.
  public:
   explicit PowerChoice(const std::vector<double>& weights) : size_(static_cast<int>(weights.size())) {
     if (weights.size() > 1u << 24)
       throw std::invalid_argument("a choice among more than 2^24 (a float cannot count them)");
     double total = 0;
-    std::size_t chosen = 0;  // beyond the last that can be
+    std::size_t chosen = 0;  // one past the last alternative of positive weight
     for (std::size_t i = 0; i < weights.size(); ++i) {
       if (!all_nonnegative(weights[i]))
         throw std::invalid_argument("a weight must be nonnegative and finite (it becomes a probability)");
@@ -66,7 +68,8 @@ class PowerChoice {
  private:
   using Number = Lane<Real>;
 
-  // Alternative i ends at x: in steps of a first number, and in [0,1) of such a step.
+  // Alternative i ends at x. `upper_` is x rounded down to a multiple of ulp/2, to compare with
+  // u_x; `lower_` is the rest in units of ulp/2, to compare with u_y.
   void cut(std::size_t i, double x) {
     const double steps = x * 2 / static_cast<double>(ulp<Real>);
     upper_[i] = static_cast<Number>(std::floor(steps)) * ulp<Real> / 2;
@@ -78,17 +81,19 @@ class PowerChoice {
   std::vector<Number> upper_, lower_, probabilities_;
 };
 
-/// One of n alternatives in proportion to weights that weight(i) gives, such as what each light may bring to the point at hand,
-/// which must be positive wherever what is summed is not 0. Every weight is looked at twice: O(n) a pick. Without any
-/// weight, or with nothing to choose from, the probability of the pick is 0: there is none. In floats too each is chosen with
-/// the probability that it is given, to (n + 1) 2^-46, and that is the formula's to (n 2^-24)^2 of it, by sums in two parts.
-/// Formula  P(i) = weight(i) / sum of them
+/// Chooses one of n alternatives in proportion to weight(i), such as what light i may contribute at
+/// a point. weight(i) must be positive wherever term i is not 0. If all weights are 0, or n = 0,
+/// there is no choice, and the pick has probability 0.
+/// Formula  P(i) = weight(i) / sum over k of weight(k)
 /// Measure  discrete
-/// Domain   0 .. n-1, n from 0 to 2^24; weights nonnegative and finite, and their sum (throws std::invalid_argument otherwise)
-/// Random   u in [0,1)^2: its second number refines the first
+/// Domain   0 .. n-1, n from 0 to 2^24; sum and weights >= 0, finite (else std::invalid_argument)
+/// Random   u in [0,1)^2; u_y refines u_x
 /// Source   Shirley, Wang, Zimmerman 1996, 5
 template <class Real, class Weight>
 class ContributionChoice {
+  // Each pick evaluates every weight twice, so it costs O(n). In floats, an alternative is chosen
+  // with its returned probability to (n + 1) 2^-46, and that probability is the formula's to a
+  // relative (n 2^-24)^2, since the sums have two parts.
  public:
   ContributionChoice(int n, Weight weight) : n_(n), weight_(std::move(weight)) {
     if (n < 0) throw std::invalid_argument("a choice among fewer than no alternatives (their number is negative)");
@@ -97,13 +102,14 @@ class ContributionChoice {
 
   int size() const { return n_; }
 
-  /// P(i), where weight(i) is known of every lane's own i; 0 where nothing has any.
+  /// P(i). `weight` must accept a different i in each lane. 0 if all weights are 0.
   Real probability(const Index<Real>& i) const {
     const Real sum = sum_of_weights().value();
     return weight_(i) / select(sum > Real(0), sum, Real(1));
   }
 
-  /// The last alternative at which the sum of the weights before it has not passed the target.
+  /// Finds the last alternative of positive weight for which the sum of all weights before it is at
+  /// most the target.
   Pick<Real> sample(const Vec2<Real>& u) const {
     const LongSum<Real> total = sum_of_weights();
     const LongSum<Real> target = part(total, u);
@@ -136,7 +142,7 @@ class ContributionChoice {
     return total;
   }
 
-  // The part u of the sum, where the second number refines the first.
+  // The fraction u of the sum; u_y refines u_x.
   static LongSum<Real> part(const LongSum<Real>& sum, const Vec2<Real>& u) {
     std::array<double, lanes<Real>> first{}, second{}, high{}, low{};
     store_lanes(u.x(), first.data());
@@ -158,22 +164,23 @@ class ContributionChoice {
   Weight weight_;
 };
 
-/// The sum of terms from one of them, chosen by `Choice` and divided by its probability; 0 where there is none to choose.
-/// Unbiased when no term that is not 0 has probability 0.
-/// Bound    the hull of the terms' bounds, each over its probability; nothing, where nothing may be chosen
+/// Estimates a sum of terms from one term, which `Choice` picks: the term over its probability, or
+/// 0 if there is none to pick. Unbiased if no nonzero term has probability 0.
+/// Bound    the hull of the terms' bounds, each over its probability; [0,0] if no term can be
+///          picked
 /// Source   Shirley, Wang, Zimmerman 1996, 5; the paper, A.1
 template <class Choice>
 class LightSampler {
  public:
   explicit LightSampler(Choice choice) : choice_(std::move(choice)) {}
 
-  /// With which term i is drawn.
+  /// The probability of picking term i.
   template <class Real>
   Real probability(int /*n*/, const Index<Real>& i) const {
     return choice_.probability(i);
   }
 
-  /// Of as many terms as the choice has alternatives; throws std::invalid_argument for another number.
+  /// Throws std::invalid_argument unless n is the number of alternatives of the choice.
   template <class Real, UniformSource<Real> Source, class Term>
   auto sum(int n, Source& source, const Term& term) const {
     if (n != choice_.size())
@@ -184,8 +191,8 @@ class LightSampler {
     return safe_divide(Value(term(pick.index, source)), pick.probability);
   }
 
-  /// From those of the terms, and the probabilities with which they are chosen, or the least that these may be. Throws
-  /// std::invalid_argument unless there are as many of them, in [0,1].
+  /// The bound, from the bounds of the terms and the probabilities (or lower bounds of them).
+  /// Throws std::invalid_argument unless there is one probability in [0,1] for each term.
   static Bound bound(std::span<const Bound> terms, std::span<const double> probabilities) {
     if (terms.size() != probabilities.size())
       throw std::invalid_argument("terms without a probability, or the other way round (their numbers differ)");

@@ -8,13 +8,13 @@
 
 namespace fairlight {
 
-/// Gives numbers in [0,1), one dimension after the other.
+/// A source of numbers in [0,1), one dimension after another.
 template <class Source, class Real>
 concept UniformSource = requires(Source source) {
   { source.next() } -> std::convertible_to<Real>;
 };
 
-/// The next two dimensions of a source; of one that spreads pairs, a pair.
+/// The next two dimensions of a source. If the source stratifies pairs, this is one of its pairs.
 template <class Real, UniformSource<Real> Source>
 Vec2<Real> next_pair(Source& source) {
   if constexpr (requires { source.pair(); }) {
@@ -25,20 +25,22 @@ Vec2<Real> next_pair(Source& source) {
   return {first, source.next()};
 }
 
-/// A law on some space: `sample(u)` is a pure function of a point of the unit square, `pdf(x)` its density.
+/// A distribution on some space. `sample(u)` is a pure function of a point of the unit square;
+/// `pdf(x)` is its density.
 template <class T>
 concept Sampler = requires(const T sampler, typename T::Point x, Vec2<typename T::Scalar> u) {
   { sampler.sample(u) } -> std::convertible_to<typename T::Point>;
   { sampler.pdf(x) } -> std::same_as<Density<typename T::Measure, typename T::Scalar>>;
 };
 
-/// One draw of a random variable: `estimate(source)`, whose mean is what is claimed of it.
+/// `estimate(source)` is one draw of a random variable, whose mean is the claim.
 template <class T, class Source>
 concept Estimator = requires(const T estimator, Source source) {
   estimator.estimate(source);
 };
 
-/// An estimator that says where its draws lie. A combinator knows from the bounds of its parts.
+/// An estimator that knows a bound on its draws. Combinators compute theirs from the bounds of
+/// their parts.
 template <class T>
 concept Bounded = requires(const T estimator) {
   { estimator.bound() } -> std::same_as<Bound>;

@@ -5,10 +5,10 @@
 
 namespace fairlight {
 
-/// Smooth metal, of complex index eta + i k per channel, relative to the medium above it.
+/// Smooth metal. Its complex index eta + i k, per channel, is relative to the medium above it.
 /// Formula  in = out mirrored; weight = F(out.z, eta, k), by Fresnel's equations
-/// Measure  none: a single direction, whose f and density are 0
-/// Domain   out.z > 0; the weight is 0 elsewhere; eta in (0, 1e6], k in [0, 1e6]
+/// Measure  none: a single direction; f and the density are 0
+/// Domain   out.z > 0 (the weight is 0 elsewhere); eta in (0, 1e6], k in [0, 1e6]
 /// Random   none: u has no dimensions
 /// Source   Born and Wolf, 14.2; PBR 4ed, 9.4
 template <class Real>

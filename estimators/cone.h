@@ -7,9 +7,9 @@
 
 namespace fairlight {
 
-/// Uniform directions in a cone about +z: what a sphere light subtends, a sun's disk, an aperture. The cone is
-/// given by the height of its cap, 1 - cos(theta_max), and no step subtracts cosines: a cone of 1e-8 rad is as
-/// exact as a wide one.
+/// Uniform directions in a cone about +z, such as a sphere light, the sun's disk or an aperture
+/// subtends. The parameter is 1 - cos(theta_max), and no step subtracts cosines: a cone of 1e-8 rad
+/// has the same relative accuracy as a wide one.
 /// Formula  p(w) = 1 / (2 pi (1 - cos(theta_max)))
 /// Measure  solid angle [1/sr]
 /// Domain   unit vectors with theta <= theta_max <= pi, to rounding; the density is 0 elsewhere
@@ -22,14 +22,15 @@ class UniformCone {
   using Point = Vec3<Real>;
   using Measure = SolidAngle;
 
-  /// Of the height 1 - cos(theta_max), in (0,2]; throws std::invalid_argument otherwise.
+  /// `height` is 1 - cos(theta_max), in (0,2]; throws std::invalid_argument otherwise.
   explicit UniformCone(Real height) : height_(height) {
     if (!all_positive(height) || !all(height <= Real(2))) {
       throw std::invalid_argument("a cone's height 1 - cos must be in (0,2] (its solid angle divides)");
     }
   }
 
-  /// Of sin^2(theta_max) in (0,1], theta_max at most pi/2: for a sphere of radius r at the distance d, r^2/d^2.
+  /// From sin^2(theta_max) in (0,1], with theta_max <= pi/2. For a sphere of radius r at the
+  /// distance d it is r^2/d^2.
   static UniformCone of_sine_squared(Real sine_squared) {
     using std::sqrt;
     if (!all_positive(sine_squared) || !all(sine_squared <= Real(1))) {
@@ -40,7 +41,7 @@ class UniformCone {
     return UniformCone(sine_squared / (Real(1) + sqrt(Real(1) - sine_squared)));
   }
 
-  /// Of theta_max in (0,pi] rad.
+  /// From theta_max in (0,pi] rad.
   static UniformCone of_half_angle(Real theta) {
     using std::sin;
     if (!all_positive(theta) || !all(theta <= Real(pi<Real>))) {
@@ -59,9 +60,9 @@ class UniformCone {
     return {detail::drop_below_pole(w) / height_, detail::turn_about_z(w)};
   }
 
-  /// The cone includes the directions that rounding takes past its edge, so that none that is drawn has density
-  /// zero: from height to direction and back the roundings add up to less than 16 ulp, sine and cosine being good
-  /// to 2.
+  /// The support includes directions that rounding moves past the edge, so no sampled direction has
+  /// density 0. From the height to a direction and back the rounding errors add up to less than 16
+  /// ulp, with sine and cosine accurate to 2 ulp.
   Density<Measure, Real> pdf(const Point& w) const {
     const Real edge = height_ * (Real(1) + Real(16) * ulp<Real>);
     return Density<Measure, Real>(

@@ -8,16 +8,17 @@
 
 namespace fairlight {
 
-/// An estimator less c times another whose mean is known, which is added again: the same mean, and less variance where
-/// the two go together. Both are fed the same numbers, for which the source is copied. c is fixed in advance: fitted to
-/// the draws that it is then used on, it depends on them, and the mean is off.
+/// Subtracts c times a control variate of known mean, and adds c times that mean. The mean stays
+/// the same, and the variance falls if the two are correlated.
 /// Formula  F - c (G - E[G])
-/// Domain   F and G take equally many numbers; c finite and the mean of G finite, or throws std::invalid_argument
+/// Domain   F and G take equally many numbers; c and E[G] are finite (else std::invalid_argument)
 /// Random   the dimensions of F
-/// Bound    two-sided: F's less c times G's, c E[G] higher; so a draw may be negative where F and G never are
-/// Source   Hammersley and Handscomb 1964, section 5.5; Glasserman 2003, section 4.1, for c and its fit
+/// Bound    F's bound - c (G's bound) + c E[G]; a draw may be negative even if F and G never are
+/// Source   Hammersley and Handscomb 1964, 5.5; Glasserman 2003, 4.1 (c and its fit)
 template <class Inner, class Control>
 class ControlVariate {
+  // Both take the same numbers, from a copy of the source. c must be fixed in advance: a c that is
+  // fitted to the same draws depends on them, and biases the mean.
  public:
   using Scalar = typename Inner::Scalar;
 

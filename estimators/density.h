@@ -4,15 +4,15 @@
 
 namespace fairlight {
 
-/// The measures that densities are taken against.
+/// The measures of densities.
 struct SolidAngle {};           ///< [1/sr]
-struct ProjectedSolidAngle {};  ///< [1/sr], against cos(theta) dw
-struct Area {};                 ///< [1/m^2]; on the image plane, [1/pixel^2]
-struct UnitCube {};             ///< against Lebesgue measure on [0,1)^n, dimensionless
-struct Discrete {};             ///< a probability, against counting measure
+struct ProjectedSolidAngle {};  ///< [1/sr], the measure cos(theta) dw
+struct Area {};                 ///< [1/m^2]; on the image plane [1/pixel^2]
+struct UnitCube {};             ///< Lebesgue measure on [0,1)^n, dimensionless
+struct Discrete {};             ///< counting measure; the density is a probability
 
-/// A probability density, tagged with its measure. Densities of different measures do not mix: the change of
-/// measure is a named function that takes the distance and the cosine.
+/// A probability density, tagged with its measure. Densities of different measures do not mix; a
+/// named function changes the measure, given the distance and the cosine.
 template <class Measure, class Real>
 class Density {
  public:
@@ -23,21 +23,21 @@ class Density {
   Real value_;
 };
 
-/// An estimate of an integral from one draw: f(x) / p(x).
+/// One draw's estimate of an integral: f(x) / p(x).
 template <class Value, class Measure, class Real>
 auto operator/(const Value& integrand, Density<Measure, Real> density) {
   return integrand / density.value();
 }
 
-/// The density of first choosing one of several samplers, then drawing from it.
+/// The density of choosing one of several samplers, and then sampling from it.
 template <class Measure, class Real>
 Density<Measure, Real> operator*(Density<Discrete, Real> choice, Density<Measure, Real> density) {
   return Density<Measure, Real>(choice.value() * density.value());
 }
 
-/// p_w = p_A d^2 / cos. `distance` in m to the point; `cosine` in (0,1] between the surface's normal there and the
-/// direction back; the density is meaningless where the cosine is not positive, as the surface is not seen from
-/// there.
+/// p_w = p_A d^2 / cos. `distance` is that to the point [m]. `cosine` in (0,1] is between the
+/// surface's normal there and the direction back. If the cosine is not positive, the surface is not
+/// visible and the density means nothing.
 template <class Real>
 Density<SolidAngle, Real> to_solid_angle(Density<Area, Real> density, Real distance, Real cosine) {
   return Density<SolidAngle, Real>(density.value() * (distance * distance) / cosine);
@@ -49,7 +49,7 @@ Density<Area, Real> to_area(Density<SolidAngle, Real> density, Real distance, Re
   return Density<Area, Real>(density.value() * cosine / (distance * distance));
 }
 
-/// p_perp = p_w / cos, with the cosine at the surface that receives.
+/// p_perp = p_w / cos, with the cosine at the receiving surface.
 template <class Real>
 Density<ProjectedSolidAngle, Real> to_projected_solid_angle(Density<SolidAngle, Real> density, Real cosine) {
   return Density<ProjectedSolidAngle, Real>(density.value() / cosine);

@@ -5,27 +5,27 @@
 
 namespace fairlight {
 
-/// What is carried along a path, from `in` to `out`.
+/// The quantity that a path carries from `in` to `out`.
 enum class Transport {
-  radiance,    ///< [W/(sr m^2)], by paths from the camera; refraction into a medium of index eta scales it by eta^2
-  importance,  ///< power and what is emitted towards the camera, by paths from the lights; not scaled
+  radiance,    ///< [W/(sr m^2)], on camera paths; refraction into a medium of index eta scales it by eta^2
+  importance,  ///< power, and importance emitted by the camera, on light paths; not scaled
 };
 
-/// Smooth glass: reflects with the probability F of Fresnel's equations, and refracts otherwise. The normal points out of
-/// it: z > 0 is outside and z < 0 inside, for `out` as for `in`.
-/// Formula  eta = index if out.z > 0, else 1/index; with probability F(|out.z|, eta) in = out mirrored and weight = 1;
-///          else in by Snell's law, and weight = 1/eta^2 for radiance, 1 for importance
-/// Measure  none: single directions, whose f and density are 0
-/// Domain   all unit vectors; index in [0.1, 10], that of the inside over that of the outside
+/// Smooth glass: reflects with Fresnel's probability F, and refracts otherwise. The normal points
+/// out of the glass: z > 0 is outside and z < 0 inside, for `out` and for `in`.
+/// Formula  with probability F(|out.z|, eta): in = out mirrored, weight 1; else in by Snell's law,
+///          weight 1/eta^2 for radiance, 1 for importance; eta = index if out.z > 0, else 1/index
+/// Measure  none: single directions; f and the density are 0
+/// Domain   all unit vectors; index in [0.1, 10], the inside's over the outside's
 /// Random   one number u in [0,1)
-/// Source   PBR 4ed, 9.5; Veach 1997, 5.2 (radiance over eta^2 is what refraction keeps)
+/// Source   PBR 4ed, 9.5; Veach 1997, 5.2 (refraction keeps radiance over eta^2)
 template <class Real, Transport transport = Transport::radiance>
 class Dielectric : public SingleDirections<Real> {
  public:
   static constexpr int dimensions = 1;
 
-  /// Throws std::invalid_argument for an index outside its domain. Refracted from a medium that is denser by more, the
-  /// direction of a float is no unit vector.
+  /// Throws std::invalid_argument for an index outside its domain. Beyond it, a direction refracted
+  /// in floats is not a unit vector.
   explicit Dielectric(Real index) : index_(index) {
     if (!all_within(index, 0.1, 10)) {
       throw std::invalid_argument(
@@ -34,7 +34,7 @@ class Dielectric : public SingleDirections<Real> {
     }
   }
 
-  /// The index of refraction on the other side of the surface over that on the side of `out`.
+  /// The index of refraction on the far side, divided by that on the side of `out`.
   Real eta(const Vec3<Real>& out) const { return select(out.z() > Real(0), index_, Real(Real(1) / index_)); }
 
   /// The probability of reflection.
@@ -43,7 +43,8 @@ class Dielectric : public SingleDirections<Real> {
     return fresnel_dielectric(Real(abs(out.z())), eta(out));
   }
 
-  /// Energy is conserved, so it is 1 for importance; radiance is denser by eta^2 in the medium of larger index.
+  /// 1 for importance, as energy is conserved. Radiance is eta^2 times as dense in the medium of
+  /// larger index.
   Rgb<Real> albedo(const Vec3<Real>& out) const {
     const Real reflected = reflectance(out);
     return Rgb<Real>::Constant(reflected + (Real(1) - reflected) * refracted_weight(out));
@@ -65,7 +66,7 @@ class Dielectric : public SingleDirections<Real> {
     }
   }
 
-  /// By Snell's law. Along the surface where there is no refracted ray: all is reflected then.
+  /// By Snell's law. Lies in the surface at total internal reflection, where it is not used.
   Vec3<Real> refracted(const Vec3<Real>& out) const {
     using std::abs;
     using std::sqrt;

@@ -8,22 +8,24 @@
 
 namespace fairlight {
 
-/// A rough metal that loses no light between its facets: a second lobe gives back what RoughConductor's lacks, as if
-/// the light had then left in all directions alike.
-/// Formula  f = f_1 + f_ms, f_ms = C (1 - E(out)) (1 - E(in)) / (pi (1 - Eavg)): E is the albedo of f_1 for white
-///          facets, Eavg its mean under the cosine, and C = Favg^2 Eavg / (1 - Favg (1 - Eavg)) the sum over one
-///          further reflection and more, with Favg the mean of F under the cosine; 1 for white facets
+/// Rough metal without energy loss: a second, diffuse lobe adds the light that RoughConductor
+/// loses.
+/// Formula  f = f_1 + f_ms, f_ms = C (1 - E(out)) (1 - E(in)) / (pi (1 - Eavg)), C = Favg^2 Eavg /
+///          (1 - Favg (1 - Eavg))
 /// Measure  f in 1/sr; p = E(out) p_1 + (1 - E(out)) z_in / pi, in solid angle
-/// Domain   directions with z > 0; f and p are 0 elsewhere. One roughness in [1e-4, 1]; Reflectance as RoughConductor's
+/// Domain   z > 0, else f = p = 0; one roughness in [1e-4, 1]; Reflectance as in RoughConductor
 /// Random   u in [0,1)^3; the third chooses the lobe
-/// Source   Kulla and Conty 2017, "Revisiting physically based shading at Imageworks". E to 1e-5: GgxLoss
+/// Source   Kulla and Conty 2017, "Revisiting physically based shading at Imageworks"
 template <class Real, class Reflectance = ConstantReflectance<Real>, class Loss = GgxLoss>
 class EnergyCompensatedConductor {
+  // E is the albedo of f_1 for white facets, Eavg its cosine-weighted mean, and Favg the
+  // cosine-weighted mean of F. C sums the light of all further reflections; C = 1 for white facets.
+  // GgxLoss gives E to 1e-5.
  public:
   using Scalar = Real;
   static constexpr int dimensions = 3;
 
-  /// One roughness for all lanes, as its albedo is worked out here.
+  /// All lanes have the same roughness, as the constructor computes its albedo.
   EnergyCompensatedConductor(double alpha, const Reflectance& reflectance)
       : single_(Ggx<Real>(rounded<Real>(alpha), rounded<Real>(alpha)), reflectance),
         loss_(alpha),
@@ -34,7 +36,7 @@ class EnergyCompensatedConductor {
     }
   }
 
-  /// That of the single reflection, and of the rest further_ (1 - E(out)) (1 - Eavg); to 1e-5.
+  /// The albedo of the first lobe plus further_ (1 - E(out)) (1 - Eavg), to 1e-5.
   Rgb<Real> albedo(const Vec3<Real>& out) const {
     const Mask<Real> above = out.z() > Real(0);
     const Real lost = loss_(select(above, out.z(), Real(1))) * mean_loss_;
@@ -64,7 +66,7 @@ class EnergyCompensatedConductor {
   }
 
  private:
-  /// Twice the integral of F(z) z.
+  /// The cosine-weighted mean of F: twice the integral of F(z) z.
   static Rgb<Real> mean(const Reflectance& reflectance) {
     return integrate_unit<Real, 16>([&](Real z) { return Rgb<Real>(reflectance(z) * (Real(2) * z)); });
   }

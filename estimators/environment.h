@@ -5,10 +5,10 @@
 
 namespace fairlight {
 
-/// An environment of one radiance in every direction, infinitely far away.
+/// An environment at infinity with the same radiance in every direction.
 /// Formula  p(w) = 1 / (4 pi)
 /// Measure  solid angle [1/sr]
-/// Domain   unit vectors, all of them
+/// Domain   all unit vectors
 /// Random   u in [0,1)^2
 /// Source   Archimedes (equal areas at equal heights); Pharr, Jakob, Humphreys, PBR 4ed, 12.5.1
 template <class Real>

@@ -5,10 +5,12 @@
 
 namespace fairlight {
 
-/// Offsets from a pixel's centre, all alike up to a radius along each axis; half a pixel is the pixel itself.
+/// Uniform offsets from a pixel's centre, up to a radius along each axis. A radius of 0.5 pixels
+/// covers exactly the pixel.
 /// Formula  p(x, y) = 1 / (4 r^2)
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2; the density is 0 elsewhere; r in [1e-6, 1e6] pixels (throws std::invalid_argument otherwise)
+/// Domain   [-r,r]^2, r in [1e-6, 1e6] pixels (else std::invalid_argument); the density is 0
+///          elsewhere
 /// Random   u in [0,1)^2
 /// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"
 template <class Real>
@@ -35,12 +37,12 @@ class BoxFilter {
   Real radius_;
 };
 
-/// Offsets from a pixel's centre, weighted by a tent that reaches the neighbours' centres. A pixel samples its own
-/// filter, so pixels stay independent of each other.
+/// Offsets from a pixel's centre, distributed as a tent that reaches the centres of the neighbours.
+/// Each pixel samples its own filter, so pixels are independent.
 /// Formula  p(x, y) = (1 - |x|) (1 - |y|)
 /// Measure  area [1/pixel^2]
 /// Domain   (-1,1)^2; the density is 0 elsewhere
-/// Random   u in [0,1)^2: a number is the step of half an ulp that it begins, by its middle, as 0 would be an edge without density
+/// Random   u in [0,1)^2; uses u + ulp/4, as u = 0 would map to the edge, where the density is 0
 /// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"
 template <class Real>
 struct TentFilter {

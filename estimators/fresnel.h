@@ -7,15 +7,17 @@
 
 namespace fairlight {
 
-/// Fresnel's equations: the share of unpolarised light that a smooth boundary reflects, in [0,1]. `cosine` is that of the
-/// angle to the normal on the side that the light comes from, in [0,1], to rounding. Outside the domain the share is not a
-/// number, lest a picture hide it. Nor is it above `largest_index`, where floats do not hold the square of a square.
+/// Fresnel's equations: the fraction of unpolarised light that a smooth boundary reflects, in
+/// [0,1]. `cosine` in [0,1], to rounding, is that of the angle to the normal on the incident side.
+/// Outside the domain the result is NaN, so that an error shows in a picture. Above `largest_index`
+/// it is NaN too, as the fourth power overflows in floats.
 /// Source   Born and Wolf, Principles of Optics, 1.5 and 14.2; PBR 4ed, 9.3
 
-/// The largest eta or k.
+/// The largest valid eta or k.
 inline constexpr float largest_index = 1e6f;
 
-/// Throws std::invalid_argument unless eta > 0 and k >= 0 in every channel and lane, and neither is above `largest_index`.
+/// Throws std::invalid_argument unless 0 < eta <= `largest_index` and 0 <= k <= `largest_index` in
+/// every channel and lane.
 template <class Real>
 void require_conductor(const Rgb<Real>& eta, const Rgb<Real>& k) {
   bool inside = true;
@@ -31,20 +33,21 @@ void require_conductor(const Rgb<Real>& eta, const Rgb<Real>& k) {
 
 namespace detail {
 
-/// (eta cos_t)^2, cos_t the cosine of the refracted ray by Snell's law; negative where there is none. Of eta - 1 and not of
-/// eta^2, lest at grazing angles little be left of a difference.
+/// (eta cos_t)^2, with cos_t the cosine of the refracted ray by Snell's law; negative at total
+/// internal reflection. Computed from eta - 1, as eta^2 - sin^2 cancels at grazing angles.
 template <class Real>
 Real refracted_square(Real cosine, Real eta) {
   return (eta - Real(1)) * (eta + Real(1)) + cosine * cosine;
 }
 
-/// x, or 1 where x is 0: a divisor whose quotient is not used, or of 0, there.
+/// x, or 1 if x is 0. In the latter case the dividend is 0 or the quotient is unused.
 template <class Real>
 Real divisor(Real x) {
   return select(x > Real(0), x, Real(1));
 }
 
-/// A share where its arguments are in their domain. Two directions may each be a unit vector to within 256 ulp.
+/// The reflectance if the arguments are in their domain, else NaN. Allows for two directions that
+/// are each a unit vector to within 256 ulp.
 template <class Real>
 Real share_in_domain(Real cosine, const Mask<Real>& indices, Real share) {
   const Real slack(512 * ulp<Real>);
@@ -54,11 +57,13 @@ Real share_in_domain(Real cosine, const Mask<Real>& indices, Real share) {
 
 }  // namespace detail
 
-/// Between two insulators (air, glass). `eta` in (0, 1e6] is the index of refraction on the far side over that on the near side; at
-/// total internal reflection all is reflected, and at eta = 1 nothing is, at any angle.
-/// Formula  F = s^2 (1 + q^2) / 2, where c = cosine, g = eta cos_t, s = (g - c) / (g + c) = (eta^2 - 1) / (g + c)^2 is the
-///          amplitude polarised across the plane of incidence, and q s = s (c g - sin^2) / (c g + sin^2) that along it
-/// Source   Cook and Torrance 1982, in c and g, with s written so that nothing cancels at grazing angles or eta near 1
+/// Between two dielectrics (air, glass). `eta` in (0, 1e6] is the far side's index over the near
+/// side's. Total internal reflection gives 1; eta = 1 gives 0 at every angle.
+/// Formula  F = s^2 (1 + q^2) / 2, c = cosine, g = eta cos_t. Amplitude perpendicular to the plane
+///          of incidence: s = (g - c) / (g + c) = (eta^2 - 1) / (g + c)^2; parallel: q s = s (c g -
+///          sin^2) / (c g + sin^2)
+/// Source   Cook and Torrance 1982; s is rewritten so that nothing cancels at grazing angles or eta
+///          near 1
 template <class Real>
 Real fresnel_dielectric(Real cosine, Real eta) {
   using std::sqrt;
@@ -73,10 +78,11 @@ Real fresnel_dielectric(Real cosine, Real eta) {
   return detail::share_in_domain(cosine, eta > Real(0) && eta <= Real(largest_index), share);
 }
 
-/// From an insulator to a conductor of complex index eta + i k, relative to the insulator's: eta in (0, 1e6], k in [0, 1e6].
-/// Formula  (a + i b)^2 = (eta + i k)^2 - sin^2 and c = cosine give the shares polarised across and along the plane of
-///          incidence, s = |a + i b - c|^2 / |a + i b + c|^2, p = s |c (a + i b) - sin^2|^2 / |c (a + i b) + sin^2|^2;
-///          F = (s + p) / 2
+/// From a dielectric to a conductor. Its complex index eta + i k, eta in (0, 1e6], k in [0, 1e6],
+/// is relative to the dielectric's.
+/// Formula  F = (s + p) / 2, c = cosine, (a + i b)^2 = (eta + i k)^2 - sin^2. Perpendicular to the
+///          plane of incidence: s = |a + i b - c|^2 / |a + i b + c|^2; parallel: p = s |c (a + i b)
+///          - sin^2|^2 / |c (a + i b) + sin^2|^2
 /// Source   Born and Wolf, 14.2; PBR 4ed, 9.3.6
 template <class Real>
 Real fresnel_conductor(Real cosine, Real eta, Real k) {
@@ -85,7 +91,8 @@ Real fresnel_conductor(Real cosine, Real eta, Real k) {
   const Real sine_squared = (Real(1) - cosine) * (Real(1) + cosine);
   const Real difference = detail::refracted_square(cosine, eta) - k * k;  // a^2 - b^2
   const Real product = eta * k;                                           // a b
-  // The larger of a^2 and b^2 is a sum; the smaller is the product's square over it, not a difference.
+  // The larger of a^2 and b^2 is a sum. The smaller is (a b)^2 divided by the larger, so that
+  // nothing cancels.
   const Real larger = Real(0.5) * (abs(difference) + sqrt(difference * difference + Real(4) * product * product));
   const Real smaller = product * product / detail::divisor(larger);
   const Mask<Real> refracts_more = difference >= Real(0);
@@ -102,7 +109,7 @@ Real fresnel_conductor(Real cosine, Real eta, Real k) {
   return detail::share_in_domain(cosine, indices, Real(Real(0.5) * (s + p)));
 }
 
-/// The same per channel.
+/// Per channel.
 template <class Real>
 Rgb<Real> fresnel_conductor(Real cosine, const Rgb<Real>& eta, const Rgb<Real>& k) {
   return {fresnel_conductor(cosine, eta[0], k[0]), fresnel_conductor(cosine, eta[1], k[1]),

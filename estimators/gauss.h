@@ -7,8 +7,8 @@
 
 namespace fairlight {
 
-/// The integral of f over [0,1] by the Nodes points of Gauss and Legendre, the same for all lanes;
-/// f takes a Real, to a number or a colour.
+/// Integrates f over [0,1] with the Gauss-Legendre rule of `Nodes` points, the same points in all
+/// lanes. f maps a Real to a number or a colour.
 template <class Real, std::size_t Nodes, class Function>
 auto integrate_unit(const Function& f) {
   const GaussLegendre<Nodes>& rule = gauss_legendre<Nodes>();

@@ -8,13 +8,13 @@
 
 namespace fairlight {
 
-/// Offsets from a pixel's centre, weighted by a Gaussian that is cut off at a radius along each axis, and normalised
-/// over what is left. The inverse of its distribution function is accurate to the rounding of Real.
+/// Offsets from a pixel's centre, distributed as a Gaussian that is truncated at a radius along
+/// each axis and renormalised. Its inverse CDF is accurate to the rounding of Real.
 /// Formula  p(x, y) = g(x) g(y), g(x) = exp(-x^2 / (2 s^2)) / (s sqrt(2 pi) erf(r / (s sqrt 2)))
 /// Measure  area [1/pixel^2]
-/// Domain   [-r,r]^2; the density is 0 elsewhere; s and r in [1e-6, 1e6] pixels, r <= 5 s (throws std::invalid_argument otherwise)
+/// Domain   |x|, |y| <= r; s, r in [1e-6, 1e6] pixels, r <= 5 s (else std::invalid_argument)
 /// Random   u in [0,1)^2
-/// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"; Giles 2012 for the inverse
+/// Source   Ernst, Stamminger, Greiner 2006, "Filter importance sampling"; Giles 2012 (the inverse)
 template <class Real>
 class GaussianFilter {
  public:
@@ -22,7 +22,7 @@ class GaussianFilter {
   using Point = Vec2<Real>;
   using Measure = Area;
 
-  /// The standard deviation s of the uncut Gaussian and the radius r [pixel].
+  /// The standard deviation s of the Gaussian before truncation, and the radius r [pixel].
   GaussianFilter(Real deviation, Real radius) : radius_(radius) {
     using std::erf;
     using std::erfc;
@@ -52,8 +52,8 @@ class GaussianFilter {
   }
 
  private:
-  // The size of the offset has the distribution function erf(y) / erf(edge) in y = x / (s sqrt 2), and is inverted in its
-  // complement near the edge, where erf(y) has lost its digits.
+  // The magnitude of the offset has the CDF erf(y) / erf(edge), y = x / (s sqrt 2). Near the edge,
+  // where erf(y) loses digits, its complement is inverted.
   Real offset(Real u) const {
     const Mask<Real> left = u < Real(0.5);
     const Real beyond = Real(2) * select(left, u, Real(Real(1) - u));
@@ -62,7 +62,7 @@ class GaussianFilter {
     return select(left, Real(-size), size);
   }
 
-  // Of erf: value - p, slope 2/sqrt(pi) exp(-y^2), curvature -2 y slope.
+  // For Halley's step: value erf(y) - p, slope 2/sqrt(pi) exp(-y^2), curvature -2 y slope.
   Real inverse_erf(Real p, Real q) const {
     using std::erf;
     using std::erfc;

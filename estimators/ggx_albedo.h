@@ -11,20 +11,23 @@ namespace fairlight {
 
 namespace detail {
 
-/// The slopes of the facets that send light from above the surface on to `out`. They are r (ax cos(phi), ay sin(phi)),
-/// where D(m) cos(m) dm = r / (1 + r^2)^2 dr dphi / pi. Light is taken along azimuths phi, from no slope to the one at
-/// which it comes from the horizon: inside there the integrand is smooth.
+/// The slopes of the facets that reflect light from above the surface to `out`, as r (ax cos(phi),
+/// ay sin(phi)), where D(m) cos(m) dm = r / (1 + r^2)^2 dr dphi / pi. For each azimuth phi the
+/// integral over r runs from 0 to the slope at which the light comes from the horizon. Up to there
+/// the integrand is smooth.
 template <class Real, class Facets, class Reflectance>
 class ReflectingSlopes {
  public:
-  /// Of four directions that are alike by symmetry it sees the one with x, y >= 0, and has the smoother axis as x.
+  /// By symmetry, uses the equivalent direction with x, y >= 0, and names the axis of smaller
+  /// roughness x.
   ReflectingSlopes(const Facets& facets, const Vec3<Real>& out, const Reflectance& reflectance)
       : ReflectingSlopes(facets.roughness(), out, magnitudes(out), reflectance) {}
 
-  /// The integral of f z_in over `in`. It changes fast with the azimuth in two places: at the smoother axis, the more so the
-  /// longer the ellipse of the slopes; and 90 degrees from `out`, beyond which facets turn away, the more so the lower it
-  /// is. So half of the turn is cut there, and the nodes crowd there, within how near the fastest change is to the cut. The
-  /// other half has the opposite slopes.
+  /// The integral of f z_in over `in`. The integrand changes fast with the azimuth in two places.
+  /// One is the smoother axis: the longer the ellipse of slopes, the faster. The other is 90
+  /// degrees from `out`, beyond which facets face away: the lower `out` is, the faster. So half a
+  /// turn is split at these places, and the nodes are dense near them, on the scale of the fastest
+  /// change. The other half of the turn has the opposite slopes.
   auto albedo() const {
     using std::atan2;
     using std::min;
@@ -63,8 +66,8 @@ class ReflectingSlopes {
     return select(alpha.x() > alpha.y(), Vec2<Real>(v.y(), v.x()), v);
   }
 
-  /// The azimuths from `end` on by `width`, which may be negative, and those opposite. The nodes crowd within `fast` of the
-  /// end, as sinh does.
+  /// Integrates over the azimuths from `end` to end + width (width may be negative), and over the
+  /// opposite azimuths. A sinh substitution makes the nodes dense within `fast` of the end.
   Value from(Real end, Real width, Real fast) const {
     using std::asinh;
     using std::cos;
@@ -80,7 +83,8 @@ class ReflectingSlopes {
     return integrate_unit<Real, 16>(both) * Real(reach * fast);
   }
 
-  /// The multiples r of a slope, spread as sinh does, up to the horizon: 2 (z + k r) = z (1 + r^2 slope^2).
+  /// Integrates over the multiples r of a slope, with a sinh substitution, up to the horizon: 2 (z
+  /// + k r) = z (1 + r^2 slope^2).
   Value along(const Vec2<Real>& slope) const {
     using std::abs;
     using std::asinh;
@@ -92,8 +96,8 @@ class ReflectingSlopes {
     const Real reach = asinh(select(k > Real(0), Real(sum / (out_.z() * square)), Real(out_.z() / sum)));
     const auto light = [&](Real t) {
       const Real r = sinh(Real(reach * t));
-      const Real facing = out_.z() + k * r;                // out.m over m's height
-      const Real length = sqrt(Real(1) + square * r * r);  // 1 over m's height
+      const Real facing = out_.z() + k * r;                // out.m divided by m.z
+      const Real length = sqrt(Real(1) + square * r * r);  // 1 / m.z
       const Real twice = Real(2) * facing / (length * length);
       const Vec3<Real> in(twice * r * slope.x() - out_.x(), twice * r * slope.y() - out_.y(), twice - out_.z());
       const Real cosh_square = Real(1) + r * r;
@@ -111,10 +115,11 @@ class ReflectingSlopes {
 
 }  // namespace detail
 
-/// What GGX facets reflect once of the light that falls on them, towards `out` with z > 0: the integral of f z_in over
-/// `in`, the reflectance being a function of the cosine at the facet, to a number or a colour. To 2e-6, for any
-/// roughness in [1e-4, 1] and heights down to 1e-6; to 1e-8 for one roughness and out.y = 0; floats add some 1e-6. It
-/// takes 6144 nodes: not for every bounce. Throws std::invalid_argument below 1e-6 in floats, 1e-10 in double.
+/// The albedo of GGX facets by single reflection towards `out`, z > 0: the integral of f z_in over
+/// `in`. `reflectance` maps the cosine at the facet to a number or a colour. Accurate to 2e-6 for
+/// any roughness in [1e-4, 1] and z >= 1e-6, and to 1e-8 if the roughness is isotropic and out.y =
+/// 0; floats add about 1e-6. Evaluates 6144 nodes: too slow for every bounce. Throws
+/// std::invalid_argument for z below 1e-6 in floats, below 1e-10 in double.
 template <class Real, class Facets, class Reflectance>
 auto ggx_albedo(const Facets& facets, const Vec3<Real>& out, const Reflectance& reflectance) {
   if (!all(out.z() >= rounded<Real>(in_floats<Real> ? 1e-6 : 1e-10))) {

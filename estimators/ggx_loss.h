@@ -8,19 +8,20 @@
 
 namespace fairlight {
 
-/// Of the light that white isotropic GGX facets get from the height z >= 1e-10, the part that their first reflection does
-/// not send back: 1 - E(z), to 1e-8 for any roughness in [1e-4, 1].
+/// The fraction of light from the height z >= 1e-10 that white isotropic GGX facets do not return
+/// by single reflection: 1 - E(z), to 1e-8 for any roughness in [1e-4, 1].
 inline double ggx_loss(double alpha, double z) {
   const Vec3<double> out(std::sqrt((1 - z) * (1 + z)), 0, z);
   return 1 - ggx_albedo(Ggx<double>(alpha, alpha), out, [](double) { return 1.0; });
 }
 
-/// The loss of a roughness as a smooth function of the height, fitted to ggx_loss when it is made: off by less than 1e-5,
-/// never negative, and of any Real, as it has no table to look up.
-///
-/// loss(z) = a^2 (1 + z^2) / (2 (z^2 + a^2)) R(x)^2 with x^2 = (1 + a) z / (z + a): the first factor is how it falls far
-/// from grazing angles, x spreads out both ends, and R is a Chebyshev series.
+/// The loss of one roughness as a smooth function of the height, fitted to ggx_loss on
+/// construction. Its error is below 1e-5, and it is never negative. It has no table to look up, so
+/// it works for any Real.
 class GgxLoss {
+  // loss(z) = a^2 (1 + z^2) / (2 (z^2 + a^2)) R(x)^2 with x^2 = (1 + a) z / (z + a). The first
+  // factor is the behaviour far from grazing angles. The substitution x resolves both ends. R is a
+  // Chebyshev series.
  public:
   /// Roughness in [1e-4, 1]; throws std::invalid_argument otherwise. Takes a few ms.
   explicit GgxLoss(double alpha) : alpha_(alpha) {
@@ -55,7 +56,8 @@ class GgxLoss {
     return falloff(z) * (r * r);
   }
 
-  /// Its mean under the cosine, twice the integral of loss(z) z. With z = a sinh(y), for a's sake.
+  /// The cosine-weighted mean: twice the integral of loss(z) z. The substitution z = a sinh(y)
+  /// resolves small a.
   double mean() const {
     const double reach = std::asinh(1 / alpha_);
     return reach * integrate_unit<double, 48>([&](double t) {

@@ -8,17 +8,17 @@
 
 namespace fairlight {
 
-/// The paper's glossy surface: the modified Phong model, a lobe of exponent n about the mirror direction, at the
-/// angle alpha from it. At normal incidence it reflects its albedo; elsewhere less, as the surface cuts the lobe and the
-/// cosine is smaller: for n to infinity, albedo cos(theta_out).
-/// Formula  f = albedo (n + 2) / (2 pi) cos^n(alpha), without the cosine; 0 from 90 degrees on; sampled by Directions
-/// Measure  f in 1/sr; the density is that of Directions, in solid angle
-/// Domain   out and in with z > 0; f is 0 elsewhere: draws below the surface have their density, and weigh nothing.
-///          n in [0, 1e8]; albedo in [0,1] per channel
+/// The paper's glossy surface, the modified Phong model: a lobe of exponent n about the mirror
+/// direction, with the angle alpha from it.
+/// Formula  f = albedo (n + 2) / (2 pi) cos^n(alpha), 0 for alpha >= 90 degrees, without the cosine
+/// Measure  f in 1/sr; the density is that of Directions, which samples, in solid angle
+/// Domain   z > 0, else f = 0 (draws below weigh 0); n in [0, 1e8]; albedo in [0,1] per channel
 /// Random   u in [0,1)^2
 /// Source   Lafortune and Willems 1994; the paper, 3.1
 template <class Real, template <class> class Directions = PowerCosineLobe>
 class Glossy {
+  // It reflects its albedo at normal incidence, and less elsewhere, as the surface cuts the lobe
+  // and the cosine is smaller. For n to infinity it reflects albedo cos(theta_out).
  public:
   using Scalar = Real;
   static constexpr int dimensions = 2;
@@ -29,12 +29,13 @@ class Glossy {
     static_cast<void>(lobe({Real(0), Real(0), Real(1)}));
   }
 
-  /// To 1e-11 of it, or a few ulp of Real if that is more.
-  ///
-  /// In the angles eta from the plane of the normal and the mirror direction, and phi within it from the latter, the
-  /// integrand is (n + 2) / (2 pi) cos^(n + 2)(eta) times cos^n(phi) cos(phi - theta), and in is above the surface where
-  /// phi > theta - 90 degrees. So the integral over eta is one over that of all cos^(n + 1)(phi), 2 A(90 degrees), and
-  /// that over phi, by parts, z (A(90 degrees) + A(90 degrees - theta)) + sin^(n + 2)(theta) / (n + 1).
+  /// Accurate to a relative 1e-11, or to a few ulp of Real if that is more.
+  // Let eta be the angle from the plane of the normal and the mirror direction, and phi the angle
+  // within that plane from the mirror direction. The integrand is (n + 2) / (2 pi) cos^(n + 2)(eta)
+  // times cos^n(phi) cos(phi - theta), and `in` is above the surface if phi > theta - 90 degrees.
+  // The integral over eta is 1 divided by that of cos^(n + 1)(phi) over all phi, which is 2 A(90
+  // degrees). The integral over phi, by parts, is z (A(90 degrees) + A(90 degrees - theta)) +
+  // sin^(n + 2)(theta) / (n + 1).
   Rgb<Real> albedo(const Vec3<Real>& out) const {
     using std::atan2;
     using std::exp;
@@ -44,7 +45,7 @@ class Glossy {
     const Mask<Real> above = out.z() > Real(0);
     const Real z = select(above, out.z(), Real(1));
     const Real square = select(above, Real(out.x() * out.x() + out.y() * out.y()), Real(0));
-    const Mask<Real> low = z < Real(0.5);  // near the horizon the sine has lost its digits, and the cosine has not
+    const Mask<Real> low = z < Real(0.5);  // near the horizon the sine is inaccurate, and the cosine is not
     const Real log_square = select(low, Real(log1p(-z * z)), Real(log(square)));
     const Real cut = exp((exponent_ + Real(2)) / Real(2) * log_square) / (exponent_ + Real(1));
     const Real half = cosine_powers(Real(pi<Real> / Real(2)));
@@ -62,7 +63,7 @@ class Glossy {
     return directions(out).pdf(in);
   }
 
-  /// A draw that does not exist, of density 0, has f = 0 as well.
+  /// A sample with density 0 does not exist; its f is 0 too.
   Bounce<Real> sample(const Vec3<Real>& out, const Vec2<Real>& u) const {
     const Vec3<Real> in = directions(out).sample(u);
     const Density<SolidAngle, Real> density = pdf(out, in);
@@ -75,8 +76,8 @@ class Glossy {
 
   PowerCosineLobe<Real> lobe(const Vec3<Real>& out) const { return {mirrored(out), exponent_}; }
 
-  /// A(angle), the integral of cos^(n + 1) from 0 to an angle of up to 90 degrees: to where nothing is left of a high power,
-  /// and with nodes that crowd at the end, where a low one has a kink.
+  /// A(angle), the integral of cos^(n + 1) from 0 to an angle of at most 90 degrees. It stops where
+  /// a high power is negligible. The nodes are dense at the end, where a low power has a kink.
   Real cosine_powers(Real angle) const {
     using std::exp;
     using std::log1p;

@@ -23,7 +23,7 @@ struct UniformHemisphere {
     return detail::direction_at(z, Real(sqrt((Real(1) - z) * (Real(1) + z))), u.y());
   }
 
-  /// The u that `sample` takes to w, to rounding; so of every `invert`.
+  /// The u that `sample` maps to w, to rounding. So are all functions named `invert`.
   Vec2<Real> invert(const Point& w) const { return {w.z(), detail::turn_about_z(w)}; }
 
   Density<Measure, Real> pdf(const Point& w) const {

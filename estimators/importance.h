@@ -6,10 +6,10 @@
 
 namespace fairlight {
 
-/// The integral of f by importance sampling: f(x) / p(x) with x drawn from p.
-/// Unbiased when p > 0 wherever f is not zero.
+/// Estimates the integral of f by importance sampling: f(x) / p(x), with x drawn from p. Unbiased
+/// if p > 0 wherever f is not 0.
 /// Random   two dimensions
-/// Bound    inf f/p to sup f/p, which whoever knows f and p states
+/// Bound    inf f/p to sup f/p; the caller states it
 /// Source   Kahn and Marshall 1953; the paper, 3.1
 template <Sampler Law, class Integrand>
 class Importance {

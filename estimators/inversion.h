@@ -8,11 +8,13 @@
 
 namespace fairlight::detail {
 
-/// What samplers need whose distribution function has no inverse in closed form: a start near the root, and steps that
-/// end there. Both take the same number of operations for every random number, so they work lane by lane.
+/// For samplers whose CDF has no inverse in closed form: a start near the root, and steps that
+/// converge to it. Both take the same number of operations for every random number, so they work
+/// lane by lane.
 
-/// The y with erf(y) = p >= 0, given also q = 1 - p, which is the accurate one near p = 1. Relative error 4e-7 down to
-/// q = 1e-7. Source: Giles 2012, "Approximating the erfinv function", single precision.
+/// The y with erf(y) = p >= 0. The argument q = 1 - p is the accurate one near p = 1. Relative
+/// error 4e-7 for q >= 1e-7.
+/// Source   Giles 2012, "Approximating the erfinv function", single precision
 template <class Real>
 Real rough_inverse_erf(Real p, Real q) {
   using std::log;
@@ -33,8 +35,10 @@ Real rough_inverse_erf(Real p, Real q) {
   return polynomial * p;
 }
 
-/// One step of Halley's method towards the root of an increasing function, from x in [low, high]; a step that would
-/// leave the interval goes half way to that end instead. It triples the digits. Source: Householder 1970.
+/// One Halley step towards the root of an increasing function, from x in [low, high]. A step that
+/// would leave the interval goes half way to that end instead. Triples the number of correct
+/// digits.
+/// Source   Householder 1970
 template <class Real>
 Real halley_step(Real x, Real value, Real slope, Real curvature, Real low, Real high) {
   const Real newton = value / slope;

@@ -8,7 +8,7 @@ namespace fairlight {
 /// A diffuse surface.
 /// Formula  f = albedo / pi, without the cosine; sampled by Directions
 /// Measure  f in 1/sr; the density is that of Directions, in solid angle
-/// Domain   directions with z > 0; f is 0 elsewhere; albedo in [0,1] per channel
+/// Domain   directions with z > 0, f is 0 elsewhere; albedo in [0,1] per channel
 /// Random   u in [0,1)^2
 /// Source   Lambert 1760; the paper, 3.1
 template <class Real, template <class> class Directions = CosineHemisphere>
@@ -23,7 +23,7 @@ class Lambertian {
     require_albedo(albedo);
   }
 
-  /// The same in all directions above the surface.
+  /// The same for all directions above the surface.
   Rgb<Real> albedo(const Vec3<Real>& out) const { return albedo_ * select(out.z() > Real(0), Real(1), Real(0)); }
 
   Rgb<Real> eval(const Vec3<Real>& out, const Vec3<Real>& in) const {

@@ -4,11 +4,12 @@
 
 namespace fairlight {
 
-/// Latin hypercube: in every dimension one point in each of n strata, in an order of its own, uniform within.
+/// Latin hypercube sampling: in every dimension each of n strata holds one point, uniform within
+/// it. Each dimension has its own order of strata.
 /// Formula  u_d = (pi_d(i) + jitter) / n, with pi_d a permutation for every (replicate, dimension)
 /// Measure  the unit cube
-/// Domain   any n from 1 to 2^28 (throws std::invalid_argument otherwise)
-/// Random   four words for two dimensions of a replicate, and as many for those of a point
+/// Domain   n from 1 to 2^28 (throws std::invalid_argument otherwise)
+/// Random   for each two dimensions: four words per replicate, four per point
 /// Source   McKay, Beckman, Conover 1979; the permutation by Kensler 2013
 template <class Real>
 class LatinHypercube {
@@ -21,7 +22,7 @@ class LatinHypercube {
   std::uint32_t size() const { return n_; }
   PointSource<LatinHypercube> source(std::uint32_t first) const { return {*this, first}; }
 
-  /// Dimensions 2k and 2k + 1 of points.
+  /// Dimensions 2k and 2k + 1 of the points.
   std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
     const auto seeds = replicate_.shared(k);
     const auto jitter = replicate_.own(points, k);

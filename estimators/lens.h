@@ -11,17 +11,19 @@ namespace fairlight {
 
 namespace detail {
 
-/// Apertures draw their points 8 ulp inside the rim, so that the rounding of a sine and a cosine carries none over it.
+/// Apertures scale their points to 8 ulp inside the rim, so that rounding in sine and cosine moves
+/// none across it.
 template <class Real>
 inline constexpr Lane<Real> inside_rim = 1 - 8 * ulp<Real>;
 
 }  // namespace detail
 
-/// Points of a round opening, by the concentric map: neighbours on the square stay neighbours on the disk.
+/// Uniform points of a round aperture, by the concentric map: neighbours on the square are
+/// neighbours on the disk.
 /// Formula  p(x) = 1 / (pi R^2)
 /// Measure  area [1/m^2]
-/// Domain   the disk |x| <= R; the density is 0 elsewhere; R in [1e-18, 1e18] m in
-///          floats, in [1e-150, 1e150] m in double (throws std::invalid_argument otherwise)
+/// Domain   the disk |x| <= R, the density is 0 elsewhere; R in [1e-18, 1e18] m in floats, in
+///          [1e-150, 1e150] m in double (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2
 /// Source   Shirley and Chiu 1997, "A low distortion map between disk and square"
 template <class Real>
@@ -59,22 +61,25 @@ class CircularAperture {
   Real radius_;
 };
 
-/// Points of the opening between n straight blades: a regular polygon. One of its n triangles about the centre, then a
-/// point of it: what is left of the first number gives the distance from the centre, the second the place along the blade.
+/// Uniform points of an aperture with n straight blades: a regular polygon.
 /// Formula  p(x) = 1 / (n/2 R^2 sin(2 pi / n))
 /// Measure  area [1/m^2]
-/// Domain   the polygon whose corners are at distance R; the density is 0 elsewhere; n >= 3; R as for
+/// Domain   the polygon with corners at distance R, the density is 0 elsewhere; n >= 3; R as for
 ///          CircularAperture (throws std::invalid_argument otherwise)
 /// Random   u in [0,1)^2
-/// Source   Turk 1990, "Generating random points in triangles"; Pharr, Jakob, Humphreys, PBR 4ed, 5.4
+/// Source   Turk 1990, "Generating random points in triangles"; Pharr, Jakob, Humphreys, PBR 4ed,
+///          5.4
 template <class Real>
 class PolygonalAperture {
+  // u_x chooses one of n triangles about the centre. The rest of u_x gives the distance from the
+  // centre, and u_y the place along the blade.
  public:
   using Scalar = Real;
   using Point = Vec2<Real>;
   using Measure = Area;
 
-  /// The distance R of the corners [m], the number n of blades, and the angle of the first corner from +x [rad].
+  /// The distance R of the corners [m], the number n of blades, and the angle from +x to the first
+  /// corner [rad].
   PolygonalAperture(Real radius, int blades, Real rotation = Real(0)) : blades_(blades), rotation_(rotation) {
     using std::cos;
     using std::sin;
@@ -102,7 +107,7 @@ class PolygonalAperture {
   Density<Measure, Real> pdf(const Point& x) const {
     using std::atan2;
     using std::floor;
-    const Mask<Real> centre = x.x() == Real(0) && x.y() == Real(0);  // no angle, and in packets not a number
+    const Mask<Real> centre = x.x() == Real(0) && x.y() == Real(0);  // has no angle; atan2 of a packet gives NaN
     const Real angle = atan2(x.y(), select(centre, Real(1), x.x()));
     const Real blade = floor((angle - rotation_) / (Real(2) * half_sector_));
     const Point normal = normal_of(blade);
@@ -124,19 +129,19 @@ class PolygonalAperture {
   Real rotation_, half_sector_, apothem_, half_side_;
 };
 
-/// A ray of a camera in its own frame: x to the right, y down, z along the axis. After d times the direction it crosses
-/// the plane at distance d: its z is 1, so it is not a unit vector.
+/// A camera ray in the camera's frame: x to the right, y down, z along the axis. The direction has
+/// z = 1, so it is not a unit vector: origin + d direction lies in the plane at distance d.
 template <class Real>
 struct LensRay {
   Vec3<Real> origin;     ///< on the lens, z = 0 [m]
   Vec3<Real> direction;  ///< z = 1
 };
 
-/// A thin lens: what a pinhole sees at the distance f along the axis is seen there by every point of the lens, and what
-/// is nearer or farther is blurred. A point at distance d is seen in the direction that a pinhole sees it in, moved by
-/// l (1/f - 1/d) for the point l of the lens: a disk of radius R |d - f| / (f d) on the image plane at distance 1.
+/// A thin lens. All its points see a point of the plane at the distance f where the pinhole sees
+/// it. A point at the distance d appears shifted by l (1/f - 1/d) from the point l of the lens. So
+/// it blurs to a disk of radius R |d - f| / (f d) on the image plane at distance 1.
 /// Formula  origin l, direction w - l / f, for the pinhole's direction w with z = 1
-/// Domain   f > 0 in m, infinite for a lens that is focused at infinity (throws std::invalid_argument otherwise)
+/// Domain   f > 0 in m; infinity focuses the lens at infinity (else std::invalid_argument)
 /// Random   u in [0,1)^2
 /// Source   Cook, Porter, Carpenter 1984, "Distributed ray tracing"; the paper, 3.2.3
 template <class Real, class Aperture>
@@ -147,7 +152,7 @@ class ThinLens {
       throw std::invalid_argument("a lens must be focused in front of the camera (its distance divides)");
   }
 
-  /// The ray through the point of the lens that u gives, where a pinhole's has the given direction, z = 1.
+  /// The ray through the lens point of u. `direction` is that of the pinhole, with z = 1.
   LensRay<Real> ray(const Vec3<Real>& direction, const Vec2<Real>& u) const {
     const Vec2<Real> l = aperture_.sample(u);
     return {{l.x(), l.y(), Real(0)},

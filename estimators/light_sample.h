@@ -6,18 +6,19 @@
 
 namespace fairlight {
 
-/// A direction in which a light is seen from a point. See safe_divide for what to divide by the density.
+/// A direction from a point to a light. Use safe_divide to divide by the density.
 template <class Real>
 struct LightSample {
-  Vec3<Real> direction;               ///< in the world, unit, towards the light
-  Real distance;                      ///< to the light [m], may be infinite
-  Density<SolidAngle, Real> density;  ///< [1/sr]; 0 where the sample does not exist, and the rest then says nothing
+  Vec3<Real> direction;               ///< unit vector in the world, towards the light
+  Real distance;                      ///< to the light [m]; may be infinite
+  Density<SolidAngle, Real> density;  ///< [1/sr]; if 0, the sample does not exist, and the rest has no meaning
 };
 
-/// A way to choose directions towards a light: `sample(from, u)`, a pure function of the point that is lit and of a
-/// point of the unit square, and `pdf(from, direction)`, the density of what it gives. Where some samples do not
-/// exist, the density integrates to less than one. The direction of `pdf` is a unit vector to rounding, and neither checked
-/// nor made one: of one that is too long by a small part e the density is off by some e, and one of another length has none.
+/// Samples directions from a point towards a light. `sample(from, u)` is a pure function of the lit
+/// point and of a point u of the unit square. `pdf(from, direction)` is its density, which
+/// integrates to less than 1 if some samples do not exist. `pdf` neither checks nor normalises the
+/// direction, a unit vector to rounding. A relative error e in its length gives a relative error of
+/// about e in the density; for any other length the density has no meaning.
 template <class T>
 concept LightSampling = requires(const T light, Vec3<typename T::Scalar> x, Vec2<typename T::Scalar> u) {
   { light.sample(x, u) } -> std::same_as<LightSample<typename T::Scalar>>;

@@ -4,10 +4,11 @@
 
 namespace fairlight {
 
-/// A sum of nonnegative numbers that keeps what each addition rounds off: high + low is the sum of n numbers to (n u)^2 of
-/// it, and grows by each to n u^2 of it, u being half an ulp. Here is no product that a compiler could contract with a sum;
-/// where `x` is one, it must be a number before: compared, for GCC then contracts none of its uses.
-/// Source: Knuth, TAOCP 2, 4.2.2 (the error of a sum is a number); Neumaier 1974.
+/// Compensated sum of nonnegative numbers: `low` collects the rounding error of each addition. With
+/// u half an ulp, high + low equals the sum of n numbers to a relative (n u)^2; each addition
+/// contributes n u^2. `add` contains no product that a compiler could contract into an FMA. If x is
+/// a product, compare it with something first: then GCC contracts none of its uses.
+/// Source   Knuth, TAOCP 2, 4.2.2 (the rounding error of a sum is a float); Neumaier 1974
 template <class Real>
 struct LongSum {
   Real high = Real(0);
@@ -22,7 +23,8 @@ struct LongSum {
 
   Real value() const { return high + low; }
 
-  /// Where the difference of two sums is not positive; of near ones, that of the high parts is exact.
+  /// Whether a - b is not positive. If a and b are close, the difference of the high parts is
+  /// exact.
   friend Mask<Real> operator<=(const LongSum& a, const LongSum& b) {
     return (a.high - b.high) + (a.low - b.low) <= Real(0);
   }

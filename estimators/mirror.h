@@ -4,16 +4,16 @@
 
 namespace fairlight {
 
-/// The direction of a mirror's image: `out` turned half about the normal.
+/// The mirror direction: `out` turned by 180 degrees about the normal.
 template <class Real>
 Vec3<Real> mirrored(const Vec3<Real>& out) {
   return {-out.x(), -out.y(), out.z()};
 }
 
-/// A perfect mirror of one reflectance at all angles.
+/// A perfect mirror, with the same reflectance at all angles.
 /// Formula  in = out mirrored; weight = albedo
-/// Measure  none: a single direction, whose f and density are 0
-/// Domain   out.z > 0; the weight is 0 elsewhere; albedo in [0,1] per channel
+/// Measure  none: a single direction; f and the density are 0
+/// Domain   out.z > 0 (the weight is 0 elsewhere); albedo in [0,1] per channel
 /// Random   none: u has no dimensions
 /// Source   PBR 4ed, 9.3.1 (the law of reflection); the paper, 4.3
 template <class Real>

@@ -12,12 +12,12 @@
 
 namespace fairlight {
 
-/// Heuristics of multiple importance sampling: `weight(n, p, i)` is what a draw x of law i counts, where law k gives n_k
-/// draws (or is chosen with probability n_k) and has the density p_k at x. The weights of all laws sum to one where any
-/// density is not zero, so together they count x once; a law counts nothing where it draws nothing. Ratios of densities
-/// are taken before they are squared or added: what is huge or tiny does not overflow.
-///
-/// `excess(N)`: by how much, at most, w_i f / (n_i p_i) exceeds f / sum n_k p_k for N laws; for the bounds.
+/// Heuristics of multiple importance sampling. `weight(n, p, i)` is the weight of a draw x from law
+/// i. Law k gives n_k draws (or is chosen with probability n_k), and has the density p_k at x. The
+/// weights of all laws sum to 1 wherever any density is not 0; a law of density 0 has weight 0.
+/// Ratios of densities come before squares and sums, so huge or tiny densities do not overflow.
+/// `excess(N)` is for the bounds: for N laws, w_i f / (n_i p_i) is at most excess(N) times f / sum
+/// n_k p_k.
 
 namespace detail {
 
@@ -37,7 +37,8 @@ Real share(const std::array<Real, N>& n, const std::array<Density<Measure, Real>
 
 }  // namespace detail
 
-/// In proportion to the expected number of draws: no heuristic has much less variance.
+/// Proportional to n_i p_i, the expected number of draws. No other heuristic has a much smaller
+/// variance.
 /// Formula  w_i = n_i p_i / sum n_k p_k
 /// Source   Veach and Guibas 1995; Veach 1997, 9.2.2
 struct BalanceHeuristic {
@@ -48,9 +49,10 @@ struct BalanceHeuristic {
   static double excess(std::size_t) { return 1; }
 };
 
-/// In proportion to its square, which is sharper, and better where one law is nearly right.
+/// Proportional to (n_i p_i)^2. It is sharper, and better if one law is almost the ideal one.
 /// Formula  w_i = (n_i p_i)^2 / sum (n_k p_k)^2
-/// Bound    with q_i = 1, q sum(q) / sum(q^2) is largest where the other q are 1 / (1 + sqrt N), and is (1 + sqrt N) / 2
+/// Bound    with q_i = 1, sum(q) / sum(q^2) is largest if all other q are 1 / (1 + sqrt N); it then
+///          is (1 + sqrt N) / 2
 /// Source   Veach and Guibas 1995; Veach 1997, 9.2.3
 struct PowerHeuristic {
   template <class Measure, class Real, std::size_t N>
@@ -60,7 +62,7 @@ struct PowerHeuristic {
   static double excess(std::size_t laws) { return (1 + std::sqrt(static_cast<double>(laws))) / 2; }
 };
 
-/// All to the law that is most likely to draw it; to the first of several such.
+/// All weight to the law with the largest n_i p_i; the first one wins a tie.
 /// Formula  w_i = 1 where n_i p_i is the largest, else 0
 /// Bound    the largest of N numbers is at least 1/N of their sum
 /// Source   Veach and Guibas 1995; Veach 1997, 9.2.3
@@ -75,15 +77,16 @@ struct MaximumHeuristic {
   static double excess(std::size_t laws) { return static_cast<double>(laws); }
 };
 
-/// w_i / (n_i p_i), what f(x) is multiplied by at a draw x of law i; 0 where the draw does not exist.
+/// w_i / (n_i p_i), the factor of f(x) for a draw x from law i; 0 if the draw does not exist.
 template <class Heuristic, class Measure, class Real, std::size_t N>
 Real mis_factor(const std::array<Real, N>& n, const std::array<Density<Measure, Real>, N>& p, std::size_t i) {
   const Real own = select(p[i].value() != Real(0), p[i].value(), Real(1));
   return Heuristic::weight(n, p, i) / own / n[i];
 }
 
-/// sup f / p for the mixture p = sum n_k p_k / n, from the suprema of f / p_k, at least one of them finite: with f <= M_k
-/// p_k, f / p <= n / sum n_k / M_k. Where no law alone is good enough, the mixture may be, and whoever knows f says so.
+/// A bound on f / p for the mixture p = sum n_k p_k / n, from the bounds M_k of f / p_k, of which
+/// at least one is finite: f <= M_k p_k gives f / p <= n / sum n_k / M_k. A caller who knows f may
+/// know that f / p is bounded even where no f / p_k is.
 template <std::size_t N>
 double mixture_bound(const std::array<double, N>& n, const std::array<double, N>& largest) {
   double rate = 0;
@@ -93,7 +96,7 @@ double mixture_bound(const std::array<double, N>& n, const std::array<double, N>
 
 namespace detail {
 
-/// Laws on one space, of one measure.
+/// Laws on the same space, with the same measure.
 template <Sampler First, Sampler... Others>
 struct LawsOf {
   using Scalar = typename First::Scalar;
@@ -105,12 +108,12 @@ struct LawsOf {
 
   std::tuple<First, Others...> laws;
 
-  /// The density of each at x.
+  /// The density of each law at x.
   std::array<Density<Measure, Scalar>, count> pdf(const Point& x) const {
     return std::apply([&](const auto&... law) { return std::array{law.pdf(x)...}; }, laws);
   }
 
-  /// visit(law, i) for each.
+  /// Calls visit(law, i) for each law.
   template <class Visit>
   void each(const Visit& visit) const {
     [&]<std::size_t... i>(std::index_sequence<i...>) { (visit(std::get<i>(laws), i), ...); }
@@ -127,19 +130,19 @@ std::array<Real, N> all_rounded(const std::array<Number, N>& numbers) {
 
 }  // namespace detail
 
-/// The integral of f from n_i draws of each of several laws, together.
+/// Estimates the integral of f from n_i draws of each of several laws.
 /// Formula  sum over i and j of  w_i(x_ij) f(x_ij) / (n_i p_i(x_ij))
-/// Domain   laws on one space, of which one at least has p_i > 0 wherever f is not zero; n_i at least 1 (throws
-///          std::invalid_argument otherwise)
+/// Domain   laws on one space; at least one has p_i > 0 wherever f is not 0; n_i >= 1 (else
+///          std::invalid_argument)
 /// Random   two dimensions for each draw, law by law
-/// Bound    the heuristic's excess times that of f / p, with p = sum n_i p_i / n the mixture, or nothing
+/// Bound    the heuristic's excess times the bound of f / p, p = sum n_i p_i / n the mixture; or 0
 /// Source   Veach and Guibas 1995; Veach 1997, 9.2
 template <class Heuristic, class Integrand, Sampler... Laws>
 class MultiSampleMis {
  public:
   using Scalar = typename detail::LawsOf<Laws...>::Scalar;
 
-  /// `mixture`: where f / p lies.
+  /// `mixture` is the bound of f / p.
   MultiSampleMis(Heuristic, std::tuple<Laws...> laws, const std::array<int, sizeof...(Laws)>& n,
                  Integrand integrand, const Bound& mixture = {})
       : laws_{std::move(laws)}, n_(n), integrand_(std::move(integrand)), mixture_(mixture) {
@@ -172,20 +175,20 @@ class MultiSampleMis {
   Bound mixture_;
 };
 
-/// The integral of f from one draw of one of several laws, chosen by probability. By the balance heuristic it is plain
-/// importance sampling from their mixture.
-/// Formula  w_i(x) f(x) / (c_i p_i(x)),  i chosen with probability c_i
-/// Domain   laws on one space, of which one at least has p_i > 0 wherever f is not zero; c_i > 0, in any unit, for they
-///          are divided by their sum (throws std::invalid_argument otherwise)
+/// Estimates the integral of f from one draw of one law, chosen at random. With the balance
+/// heuristic this is importance sampling from the mixture.
+/// Formula  w_i(x) f(x) / (c_i p_i(x)), where i is chosen with probability c_i
+/// Domain   laws on one space; at least one has p_i > 0 wherever f is not 0; c_i > 0 (else
+///          std::invalid_argument); c_i is divided by sum c
 /// Random   three dimensions: the choice, and a pair for the draw
-/// Bound    the heuristic's excess times that of f / p, with p = sum c_i p_i the mixture, or nothing
+/// Bound    the heuristic's excess times the bound of f / p, p = sum c_i p_i the mixture; or 0
 /// Source   Veach and Guibas 1995; Veach 1997, 9.2.4
 template <class Heuristic, class Integrand, Sampler... Laws>
 class OneSampleMis {
  public:
   using Scalar = typename detail::LawsOf<Laws...>::Scalar;
 
-  /// `mixture`: where f / p lies.
+  /// `mixture` is the bound of f / p.
   OneSampleMis(Heuristic, std::tuple<Laws...> laws, const std::array<double, sizeof...(Laws)>& c,
                Integrand integrand, const Bound& mixture = {})
       : laws_{std::move(laws)}, c_(c), integrand_(std::move(integrand)), mixture_(mixture) {
@@ -203,7 +206,7 @@ class OneSampleMis {
     using Value = std::invoke_result_t<Integrand, const Point&>;
     const Scalar choice = source.next();
     const Vec2<Scalar> u = next_pair<Scalar>(source);
-    // A lane takes the last law whose part of [0,1) begins at or below its number.
+    // Each lane takes the last law whose interval of [0,1) starts at or below its number.
     std::array<Mask<Scalar>, sizeof...(Laws)> chosen;
     Point x;
     double begin = 0;

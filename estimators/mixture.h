@@ -6,27 +6,28 @@
 
 namespace fairlight {
 
-/// One of the parts of a mixture.
+/// One lobe of a mixture.
 template <Bsdf Part>
 struct WeightedLobe {
   Part bsdf;
-  typename Part::Scalar weight;       ///< what its f is multiplied by, nonnegative
-  typename Part::Scalar probability;  ///< with which it is chosen; 0 only where the weight is 0
+  typename Part::Scalar weight;       ///< factor of its f, nonnegative
+  typename Part::Scalar probability;  ///< of choosing it; 0 only if the weight is 0
 };
 template <class Part>
 WeightedLobe(Part, typename Part::Scalar, typename Part::Scalar) -> WeightedLobe<Part>;
 
-/// Two BSDFs added, of which a bounce samples one; more, by mixing mixtures. Either may have a density or send light in
-/// single directions, or do both.
-/// Formula  f = w_1 f_1 + w_2 f_2, p = q_1 p_1 + q_2 p_2; a bounce is drawn from lobe i with probability q_i, and weighs
-///          f |cos| / p where it has a density, and w_i / q_i times what lobe i gave it where it is a single direction:
-///          the other lobe finds that direction with probability 0, and adds nothing to it
+/// The sum of two BSDFs; each bounce samples one of them. Nest mixtures for more. Each may have a
+/// density, or single directions, or both.
+/// Formula  f = w_1 f_1 + w_2 f_2, p = q_1 p_1 + q_2 p_2
 /// Measure  f in 1/sr; the density in solid angle; 0 for single directions
-/// Domain   that of the lobes; w_i >= 0, q_i in [0,1], q_1 + q_2 = 1; w_i = 0 where q_i = 0
-/// Random   u_0 in [0,1) chooses the lobe, which takes those that follow
+/// Domain   that of the lobes; w_i >= 0, q_i in [0,1], q_1 + q_2 = 1; w_i = 0 if q_i = 0
+/// Random   u_0 in [0,1) chooses the lobe; the lobe takes the following numbers
 /// Source   Veach and Guibas 1995 (the one-sample model, balance heuristic)
 template <Bsdf First, Bsdf Second>
 class Mixture {
+  // A bounce is drawn from lobe i with probability q_i. If it has a density, it weighs f |cos| / p.
+  // If it is a single direction, it weighs w_i / q_i times its weight in lobe i: the other lobe
+  // finds this direction with probability 0, so it adds nothing.
  public:
   using Scalar = typename First::Scalar;
   static constexpr int dimensions = 1 + std::max(First::dimensions, Second::dimensions);
@@ -71,7 +72,7 @@ class Mixture {
  private:
   using Real = Scalar;
 
-  /// What the lobe gives, weighed as if no other lobe could give it.
+  /// The lobe's bounce, weighted as if no other lobe could produce it.
   template <class Part>
   static Bounce<Real> bounce_of(const WeightedLobe<Part>& lobe, const Vec3<Real>& out,
                                 const Eigen::Matrix<Real, dimensions, 1>& u) {

@@ -13,8 +13,8 @@
 
 namespace fairlight {
 
-/// Several floats that are worked on at once: 4, 8 or 16 of them, by the instruction set that the code is compiled for.
-/// Source: xsimd.
+/// A SIMD vector of 4, 8 or 16 floats, depending on the instruction set that the code is compiled
+/// for. Source: xsimd.
 using Packet = xsimd::batch<float>;
 
 template <class A>
@@ -68,7 +68,7 @@ bool all_finite(const xsimd::batch<float, A>& x) {
   return !any((xsimd::bitwise_cast<W>(x) & exponent) == exponent);
 }
 
-/// Whether every lane is a number in [low, high]. Not a number is in no interval, with -ffast-math too.
+/// Whether every lane is in [low, high]. A NaN is not, even with -ffast-math.
 template <class Real>
 bool all_within(const Real& x, double low, double high) {
   return all_finite(x) && all(x >= rounded<Real>(low) && x <= rounded<Real>(high));
@@ -99,7 +99,7 @@ Mask<Real> same_index(const xsimd::batch<std::int32_t, A>& a, const xsimd::batch
   return xsimd::to_float(a) == xsimd::to_float(b);
 }
 
-/// The lanes where the mask holds, as bits; the first lane is the lowest.
+/// The mask as bits; the first lane is the lowest bit.
 #if defined(__AVX512F__)
 inline std::uint32_t lane_bits(const xsimd::batch_bool<float>& mask) {
   return static_cast<xsimd::batch_bool<float>::register_type>(mask);
@@ -156,8 +156,9 @@ void load_lanes(const double* in, xsimd::batch<float, A>& x) {
 
 namespace detail {
 
-/// A table that fits into one register, or two, is looked up by a permutation of its words, in a fraction of a gather's time.
-/// False where there is none for a table of this size, which is padded to whole registers.
+/// Looks up a table that fits into one or two registers by a permutation of their words, which
+/// takes a fraction of a gather's time. The table is padded to whole registers. Returns false for
+/// other sizes.
 template <class A>
 bool look_up(const float*, std::size_t, const xsimd::batch<std::int32_t, A>&, xsimd::batch<float, A>&) {
   return false;
@@ -182,7 +183,8 @@ inline bool look_up(const float* table, std::size_t size, const xsimd::batch<std
 
 }  // namespace detail
 
-/// The nearest quarter of the turn is taken off, exactly; the rest is within an eighth, where short polynomials do.
+/// Subtracts the nearest quarter turn, exactly. The rest is at most an eighth of a turn, where
+/// short polynomials are accurate.
 /// Source   Cephes (Moshier 1992), sinf and cosf
 template <class A>
 std::pair<xsimd::batch<float, A>, xsimd::batch<float, A>> sine_and_cosine_of_turn(
@@ -215,7 +217,7 @@ xsimd::batch<std::uint32_t, A> lane_numbers() {
 
 namespace detail {
 
-/// xsimd 8 gathers lane by lane where there is an instruction for it.
+/// xsimd 8 gathers lane by lane even where there is an instruction for it.
 #if defined(__AVX512F__)
 inline __m512 gather(const float* table, __m512i i) { return _mm512_i32gather_ps(i, table, sizeof(float)); }
 #endif
@@ -239,7 +241,7 @@ xsimd::batch<float, A> gather(const float* table, const xsimd::batch<std::int32_
 
 namespace Eigen {
 
-/// A packet as the scalar of a vector.
+/// Lets a packet be the scalar of an Eigen vector.
 template <class A>
 struct NumTraits<xsimd::batch<float, A>> {
   using Real = xsimd::batch<float, A>;

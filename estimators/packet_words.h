@@ -5,14 +5,15 @@
 
 #include <fairlight/estimators/packet.h>
 
-/// What random numbers ask of packets of words, and xsimd does not have.
+/// Operations on packets of words that random numbers need and xsimd lacks.
 
 namespace fairlight {
 
 namespace detail {
 
-/// A widening multiplication: the 64-bit products of the even 32-bit words; and of the products of even
-/// words and of odd ones, the upper halves and the lower ones, in the order of the words.
+/// Widening multiplication. `even_products` gives the 64-bit products of the even 32-bit words.
+/// `upper_halves` and `lower_halves` interleave the halves of the even and odd products, in the
+/// order of the words.
 #if defined(__AVX512F__)
 inline __m512i even_products(__m512i a, __m512i b) { return _mm512_mul_epu32(a, b); }
 inline __m512i upper_halves(__m512i even, __m512i odd) {
@@ -76,7 +77,8 @@ xsimd::batch<std::uint32_t, A> multiply_halves(const xsimd::batch<std::uint32_t,
 #if defined(__AVX2__)
 namespace detail {
 
-/// The bytes of x, 16 at a time, at these places; and the bytes of a table at the places that x holds.
+/// In each block of 16 bytes: `bytes_at` takes the bytes of x at the given places; `look_up_bytes`
+/// takes the bytes of a table at the places that x holds.
 #if defined(__AVX512F__)
 inline __m512i bytes_at(__m128i places, __m512i x) {
   return _mm512_shuffle_epi8(x, _mm512_broadcast_i32x4(places));
@@ -94,7 +96,7 @@ inline __m256i look_up_bytes(__m128i table, __m256i x) {
 
 }  // namespace detail
 
-/// The bits in reverse order: the bytes are turned round, and the halves of each are looked up, reversed.
+/// Reverses the bits: reverses the bytes of each word, and looks up the reverse of each half byte.
 inline xsimd::batch<std::uint32_t> reverse_bits(const xsimd::batch<std::uint32_t>& x) {
   using Word = xsimd::batch<std::uint32_t>;
   const __m128i turned = _mm_setr_epi8(3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12);

@@ -7,9 +7,11 @@
 
 namespace fairlight {
 
-/// Sobol's second dimension, of a point whose first one is `reversed` in reverse order, which is the point's number; in reverse
-/// order too. Pascal's triangle modulo 2, a doubling at a time.
-/// Source: Ahmed 2024, "An implementation algorithm of 2D Sobol sequence fast, elegant, and compact".
+/// Sobol's second dimension, in reverse bit order. x is the first dimension in reverse bit order,
+/// which is the point's number. Multiplies by Pascal's triangle modulo 2, doubling its size in each
+/// step.
+/// Source   Ahmed 2024, "An implementation algorithm of 2D Sobol sequence fast, elegant, and
+///          compact"
 template <class W>
 W second_sobol_reversed(W x) {
   x ^= x >> 16;
@@ -19,16 +21,18 @@ W second_sobol_reversed(W x) {
   return x ^ ((x & W(0xAAAAAAAAu)) >> 1);
 }
 
-/// The numbers of vertices by Sobol's first two dimensions, padded: every pair of every vertex is those two, Owen-scrambled by
-/// seeds of its own, and the points of a set come in an order of its own; a single number is the first of them. So a pair is a
-/// net, and what pairs have in common is chance. A table is not needed, so that lanes may be at different places.
-/// Formula  u_d = scramble_d(sobol_d(order(i))), d = 0 and 1, with seeds for every (pixel, set, vertex, pair)
+/// Padded Sobol sampling of path vertices: Owen-scrambled pairs of Sobol's first two dimensions.
+/// Formula  u_d = scramble_d(sobol_d(order(i))), d = 0, 1; seeds for every (pixel, set, vertex,
+///          pair)
 /// Measure  the unit cube
 /// Domain   sets of n = 2^m <= 1024 points (throws std::invalid_argument otherwise)
-/// Random   four words for five numbers of a set's points, and a hash for orders and factors; in double more for the digits after
-///          the 24th
-/// Source   Burley 2020, "Practical hash-based Owen scrambling"; PBR 4ed, 8.6.5 (PaddedSobolSampler)
+/// Random   four words for five numbers of a set, a hash for orders and factors; in double, more
+///          words for the digits after the 24th
+/// Source   Burley 2020, "Practical hash-based Owen scrambling"; PBR 4ed, 8.6.5
 class PaddedSobol {
+  // Each pair of each vertex has its own scrambling seeds and its own order of the set's points. So
+  // every pair is a (0,2)-net, and different pairs are related by chance only. A single number is
+  // the first of the two dimensions. No table is needed, so lanes may be at different vertices.
  public:
   PaddedSobol(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}
 
@@ -40,8 +44,8 @@ class PaddedSobol {
   }
 
  private:
-  // The first n of a block, of which the compiler leaves out what is not asked for. The orders, which take the longest, come first, so that
-  // a machine works on the random words meanwhile.
+  // The first n numbers of a block; the compiler leaves out the rest. The orders take longest and
+  // come first, so that the processor computes the random words meanwhile.
   template <std::size_t n, class Real>
   SampleBlock<Real> first(const PathVertex<Real>& at, std::uint32_t b) const {
     using W = Word<Real>;
@@ -51,7 +55,8 @@ class PaddedSobol {
     const std::array<W, 3> orders{order(0), order(1), order(2)};
     const SampleBlock<W> reversed{orders[0], second_sobol_reversed(orders[0]), orders[1],
                                   second_sobol_reversed(orders[1]), orders[2]};
-    // The halves of a word are the lower halves of two factors, and only those are felt by digits that come soon after points part.
+    // Each order word makes two factors: the word, and the word with its halves swapped. The digits
+    // that follow soon after two points part depend on the lower half of the factor only.
     const auto swapped = [](const W& word) { return W((word << 16) | (word >> 16)); };
     const SampleBlock<W> factors{words[0], swapped(words[0]), words[1], swapped(words[1]), words[2]};
     const SampleBlock<W> shifts = five_of(sets_.shared_words(key_, at, b));
@@ -65,8 +70,8 @@ class PaddedSobol {
     return numbers;
   }
 
-  // A number of 24 scrambled digits, after which come in double those of `following`. The shift is independent of the order and of the
-  // factor, and makes the 24 uniform, exactly.
+  // 24 scrambled digits; in double, those of `following` come after them. The shift is independent
+  // of the order and of the factor, which makes the 24 digits exactly uniform.
   template <class Real, class W>
   static Real scrambled(const W& reversed, const W& shift, const W& factor, const Fixed64<W>& following) {
     const W digits = reverse_bits(scramble_upwards(reversed, W(shift >> 8), factor));

@@ -4,14 +4,16 @@
 
 namespace fairlight {
 
-/// The numbers of vertices by jittered strata, padded: every pair of every vertex has a grid of its own, of 2^ceil(m/2) by
-/// 2^floor(m/2) cells, with one of the 2^m points of a set in each, in an order of the pair's own; a single number has 2^m strata.
-/// Formula  (u_0, u_1) = ((column, row) + jitter) / (columns, rows), with (column, row) the cell order(i)
+/// Padded jittered strata for path vertices.
+/// Formula  (u_0, u_1) = ((column, row) + jitter) / (columns, rows), with (column, row) the cell
+///          order(i)
 /// Measure  the unit cube
 /// Domain   sets of n = 2^m <= 1024 points (throws std::invalid_argument otherwise)
-/// Random   four words for five numbers of a set's points, and those of an independent block for the jitter
+/// Random   four words for five numbers of a set, and an independent block for the jitter
 /// Source   Cook 1986, "Stochastic sampling in computer graphics"; PBR 4ed, 8.5 (StratifiedSampler)
 class PaddedStrata {
+  // Each pair of each vertex has its own grid of 2^ceil(m/2) by 2^floor(m/2) cells. Each cell holds
+  // one of the 2^m points of a set, in the pair's own order. A single number has 2^m strata.
  public:
   PaddedStrata(const StreamKey& key, std::uint32_t n) : key_(key), sets_(n) {}
 
@@ -23,7 +25,7 @@ class PaddedStrata {
     const auto words = sets_.shared_words(key_, at, b);
     const W point = sets_.point_of(at.sample);
     SampleBlock<Fixed64<W>> digits = independent_digits(key_, at, b);
-    const std::uint32_t rows = sets_.bits() / 2;  // the logarithms of their numbers
+    const std::uint32_t rows = sets_.bits() / 2;  // logarithms of the numbers of rows and columns
     const std::uint32_t columns = sets_.bits() - rows;
     for (std::size_t i = 0; i < (part == BlockPart::all ? 2 : 1); ++i) {
       const W cell = place(point, words, i);
@@ -35,14 +37,15 @@ class PaddedStrata {
   }
 
  private:
-  // Of a point in order i: a digital shift, ten bits of a word for each, makes every place as likely as any other.
+  // The place of a point in order i. A digital shift, ten bits of a word for each order, makes
+  // every place equally likely.
   template <class W>
   W place(const W& point, const std::array<W, 4>& words, std::size_t i) const {
     const W shift = words[3] >> (10 * static_cast<int>(i));
     return shuffled(point, sets_.bits(), words[i]) ^ (shift & W(sets_.size() - 1));
   }
 
-  // One of 2^bits strata, and the jitter's digits after the stratum's.
+  // The stratum's digits, and then the jitter's. There are 2^bits strata.
   template <class W>
   static Fixed64<W> in_stratum_of(const W& stratum, std::uint32_t bits, const Fixed64<W>& jitter) {
     if (bits == 0) return jitter;

@@ -9,22 +9,24 @@
 
 namespace fairlight {
 
-/// What was chosen, and with what probability.
+/// The alternative that was chosen, and its probability.
 template <class Real>
 struct Pick {
   Index<Real> index;
   Density<Discrete, Real> probability;
 };
 
-/// One of n alternatives, each as likely as the others, to n / 2^48 of its probability: the whole part of n U, with U the
-/// number of 48 bits that the first 24 of each number make. A float's 24 alone cannot choose evenly among 10^5.
+/// Chooses one of n alternatives uniformly, to a relative n / 2^48 of the probability.
 /// Formula  P(i) = 1/n
 /// Measure  discrete
 /// Domain   0 .. n-1, n from 1 to 2^24 (throws std::invalid_argument otherwise)
-/// Random   u in [0,1)^2: its second number refines the first
-/// Source   the paper, A.1; Lemire 2019, "Fast random integer generation in an interval" (by multiplication)
+/// Random   u in [0,1)^2; u_y refines u_x
+/// Source   the paper, A.1; Lemire 2019, "Fast random integer generation in an interval" (by
+///          multiplication)
 template <class Real>
 class UniformChoice {
+  // The integer part of n U, where U has 48 bits: the first 24 of each number. The 24 bits of one
+  // float cannot choose evenly among 10^5.
  public:
   explicit UniformChoice(int n) : n_(n) {
     if (n < 1) throw std::invalid_argument("a choice among no alternatives (give at least one)");
@@ -43,11 +45,11 @@ class UniformChoice {
   int n_;
 };
 
-/// The sum of n terms, each estimated: term(i, source) for every i; 0 where there are none.
+/// Sums all n terms, each estimated: term(i, source) for every i; 0 if n = 0.
 /// Bound    the sum of the terms' bounds
 /// Source   the paper, A.1 ("one random point from each of the luminaires")
 struct AllLights {
-  /// With which term i is drawn.
+  /// The probability of evaluating term i.
   template <class Real>
   static Real probability(int /*n*/, const Index<Real>& /*i*/) {
     return Real(1);
@@ -60,7 +62,7 @@ struct AllLights {
     return total;
   }
 
-  /// From those of the terms.
+  /// The bound, from those of the terms.
   static Bound bound(std::span<const Bound> terms) {
     Bound total{0, 0};
     for (const Bound& term : terms) total = total + term;
@@ -68,12 +70,12 @@ struct AllLights {
   }
 };
 
-/// The sum of n terms from one of them, chosen uniformly and divided by its probability: |L| times the term; 0 where there
-/// are none.
+/// Estimates the sum of n terms from one, chosen uniformly and divided by its probability 1/n; 0 if
+/// n = 0.
 /// Bound    n times the hull of the terms' bounds
 /// Source   the paper, A.1 (the two-dice argument)
 struct UniformLightSampler {
-  /// With which term i is drawn.
+  /// The probability of picking term i.
   template <class Real>
   static Real probability(int n, const Index<Real>& /*i*/) {
     return Real(1) / rounded<Real>(n);
@@ -87,7 +89,7 @@ struct UniformLightSampler {
     return Value(term(pick.index, source) / pick.probability);
   }
 
-  /// From those of the terms.
+  /// The bound, from those of the terms.
   static Bound bound(std::span<const Bound> terms) {
     if (terms.empty()) return {0, 0};
     Bound any = terms.front();

@@ -10,18 +10,19 @@
 
 namespace fairlight {
 
-/// Where the samples of an allocated image come from (allocation.h): `draw(pixel, first, n)` from an estimator at
-/// each pixel, `estimator(pixel, source)`, that takes its numbers from a source of its own for every sample.
+/// The samples of an adaptive image (allocation.h): `draw(pixel, first, n)` calls an estimator of
+/// the pixel, `estimator(pixel, source)`, with a separate source for every sample.
 
-/// From streams, every sample independent of all others; in packets a lane each. `first_unit` is the unit of pixel
-/// 0, and sets images of one key apart. Source: Salmon et al. 2011.
+/// Samples from streams, all independent; in packets, one per lane. `first_unit` is the unit of
+/// pixel 0, and separates images that share a key.
+/// Source   Salmon et al. 2011
 template <class Real, class PixelEstimator>
 class PixelDraws {
  public:
   PixelDraws(const StreamKey& key, std::uint32_t first_unit, PixelEstimator estimator)
       : key_(key), first_unit_(first_unit), estimator_(std::move(estimator)) {}
 
-  /// Throws std::length_error for a pixel whose unit has more than 32 bits.
+  /// Throws std::length_error if a pixel's unit does not fit into 32 bits.
   std::vector<double> operator()(std::size_t pixel, std::uint64_t first, std::uint64_t n) const {
     const std::uint32_t unit = checked_number(first_unit_, pixel, "units");
     std::vector<double> samples;
@@ -40,20 +41,22 @@ class PixelDraws {
   PixelEstimator estimator_;
 };
 
-/// From point sets, in double: the samples of one call are the n points of a replicate of their
-/// own, so that stages stay independent. Were one sequence continued from stage to stage, its later
-/// points would depend on those that decided how many there are, and no form of allocation would be
-/// unbiased. Source: Owen 1997, "Monte Carlo variance of scrambled net quadrature" (replicates).
+/// Samples from point sets, in double. The n samples of one call are the n points of a separate
+/// replicate, so stages are independent. If one sequence continued from stage to stage, its later
+/// points would depend on those that chose their number, and no form of allocation would be
+/// unbiased.
+/// Source   Owen 1997, "Monte Carlo variance of scrambled net quadrature" (replicates)
 template <PointSet Set, class PixelEstimator>
 class PixelPointSets {
  public:
-  /// Replicates from `first_replicate` on, `samples` for each pixel: more than the number of any sample.
+  /// Replicates start at `first_replicate`. `samples` are reserved for each pixel, so every sample
+  /// number is below it.
   PixelPointSets(const StreamKey& key, std::uint32_t first_replicate, std::uint32_t samples,
                  PixelEstimator estimator)
       : key_(key), first_replicate_(first_replicate), samples_(samples), estimator_(std::move(estimator)) {}
 
-  /// Throws std::length_error for sample numbers of `samples` or more, which are another pixel's, and for a replicate
-  /// whose number has more than 32 bits.
+  /// Throws std::length_error for sample numbers of `samples` or more, which belong to another
+  /// pixel, and for a replicate whose number does not fit into 32 bits.
   std::vector<double> operator()(std::size_t pixel, std::uint64_t first, std::uint64_t n) const {
     std::vector<double> values;
     if (n == 0) return values;

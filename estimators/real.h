@@ -12,9 +12,10 @@
 
 namespace fairlight {
 
-/// Samplers, geometry and the path tracer are templates over Real: `double`, the readable reference, or a SIMD
-/// packet of floats (packet.h). What differs between the two is here: a packet type specialises the traits and
-/// overloads the functions, and a comparison of packets is a mask.
+/// Samplers, geometry and the path tracer are templates over Real: `double`, the readable
+/// reference, or a SIMD packet of floats (packet.h). This file holds what differs between the two.
+/// A packet type specialises the traits and overloads the functions; a comparison of packets gives
+/// a mask.
 
 /// The number type of one lane.
 template <class Real>
@@ -28,11 +29,11 @@ using Lane = typename LaneOf<Real>::Type;
 template <class Real>
 using Mask = decltype(Real() < Real());
 
-/// How many independent draws a Real holds.
+/// The number of independent draws in a Real.
 template <class Real>
 inline constexpr std::size_t lanes = 1;
 
-/// The type of an index per lane.
+/// The type of one index per lane.
 template <class Real>
 struct IndexOf {
   using Type = int;
@@ -40,7 +41,7 @@ struct IndexOf {
 template <class Real>
 using Index = typename IndexOf<Real>::Type;
 
-/// The type of a 32-bit word per lane.
+/// The type of one 32-bit word per lane.
 template <class Real>
 struct WordOf {
   using Type = std::uint32_t;
@@ -48,7 +49,7 @@ struct WordOf {
 template <class Real>
 using Word = typename WordOf<Real>::Type;
 
-/// A number known in double, as near as Real comes to it.
+/// Rounds a double to Real.
 template <class Real>
 constexpr Real rounded(double x) {
   return Real(static_cast<Lane<Real>>(x));
@@ -60,12 +61,12 @@ Value select(bool mask, const Value& a, const Value& b) {
   return mask ? a : b;
 }
 
-/// Whether the mask holds anywhere; everywhere.
+/// Whether the mask holds in any lane; in all lanes.
 inline bool any(bool mask) { return mask; }
 inline bool all(bool mask) { return mask; }
 
-/// Whether no lane is infinite or not a number, by its bits: a comparison would be optimised away in code that is
-/// compiled with -ffast-math, as these headers may be.
+/// Whether no lane is infinite or NaN. Tests the bits, as -ffast-math, with which these headers may
+/// be compiled, would optimise a comparison away.
 inline bool all_finite(double x) {
   constexpr std::uint64_t exponent = 0x7FF0000000000000u;
   return (std::bit_cast<std::uint64_t>(x) & exponent) != exponent;
@@ -75,11 +76,12 @@ inline bool all_finite(float x) {
   return (std::bit_cast<std::uint32_t>(x) & exponent) != exponent;
 }
 
-/// The whole number below a nonnegative Real.
+/// The integer part of a nonnegative Real.
 inline int to_int(double x) { return static_cast<int>(x); }
 inline int to_int(float x) { return static_cast<int>(x); }
 
-/// The first 24 bits of a number in [0,1), at the top of a word; and a word below 2^31 as an index, or an index as a word.
+/// leading_bits: the first 24 bits of a number in [0,1), at the top of a word. index_of and word_of
+/// convert a word below 2^31 to an index, and back.
 inline std::uint32_t leading_bits(double x) { return static_cast<std::uint32_t>(x * 0x1p24) << 8; }
 inline std::uint32_t leading_bits(float x) { return static_cast<std::uint32_t>(x * 0x1p24f) << 8; }
 inline int index_of(std::uint32_t word) { return static_cast<int>(word); }
@@ -91,40 +93,41 @@ inline std::array<std::uint32_t, 2> multiply_high_low(std::uint32_t a, std::uint
   return {static_cast<std::uint32_t>(product >> 32), static_cast<std::uint32_t>(product)};
 }
 
-/// The product of words modulo 2^16, which is multiplied faster: what is above is not to be relied on.
+/// A product modulo 2^16, which is faster. The upper bits of the result are unspecified.
 inline std::uint32_t multiply_halves(std::uint32_t a, std::uint32_t b) { return a * b; }
 
-/// The sine and the cosine of a part of a full turn, in [0,1].
+/// The sine and the cosine of a fraction of a full turn, in [0,1].
 template <class Real>
 std::pair<Real, Real> sine_and_cosine_of_turn(Real turn) {
   const Real angle = 2 * std::numbers::pi_v<Real> * turn;
   return {std::sin(angle), std::cos(angle)};
 }
 
-/// The lanes where the mask holds, as bits.
+/// The mask as bits.
 inline std::uint32_t lane_bits(bool mask) { return mask ? 1 : 0; }
 
-/// The numbers from `next` on, one to each lane whose bit is set, in the order of lanes; the others keep theirs.
+/// Gives the numbers from `next` on to the lanes whose bit is set, in order. The other lanes keep
+/// `kept`.
 template <class Number>
 Number expand(std::uint32_t bits, const Number* next, const Number& kept) {
   return bits != 0 ? *next : kept;
 }
 
-/// Where two indices are the same, below 2^24.
+/// Where two indices below 2^24 are equal.
 template <class Real>
 Mask<Real> same_index(int a, int b) {
   return a == b;
 }
 
-/// The values of the lanes, as doubles, to `out`.
+/// Writes the lanes to `out`, as doubles.
 inline void store_lanes(double x, double* out) { *out = x; }
 inline void store_lanes(float x, double* out) { *out = static_cast<double>(x); }
 
-/// The values of the lanes from `in`, rounded.
+/// Reads the lanes from `in`, rounded.
 inline void load_lanes(const double* in, double& x) { x = *in; }
 inline void load_lanes(const double* in, float& x) { x = static_cast<float>(*in); }
 
-/// The entry of a table, of each lane its own.
+/// Entry i of a table; each lane has its own i.
 inline double gather(const double* table, int i) { return table[i]; }
 inline float gather(const float* table, int i) { return table[i]; }
 

@@ -8,17 +8,20 @@
 
 namespace fairlight {
 
-/// A rectangle that shines from both its faces, as the surfaces of a scene do; where it shines from one alone, the radiance of
-/// the other is 0. From its own plane it is not seen, nor from a point on it, which rounding puts beside the plane and which then had half of
-/// all directions full of it. In its axes a corner is where it is to some ulp of its distance, in floats as in double: of a rectangle that is nearer to its plane, or smaller, than that, the densities are those of another.
-/// A direction is known to some ulp of 1 rad. One that rounding takes past an edge has a density all the same: the support ends
-/// 4 ulp of 1 rad beyond it, or the edge's length if that is nearer.
+/// A rectangle that emits from both faces, like all surfaces of a scene; for a one-sided light the
+/// other radiance is 0. It is not visible from its own plane. `on_surface` marks points on that
+/// plane: rounding would put them beside it, where the rectangle fills half of all directions.
 template <class Real>
 class RectangleLight {
+  // In the rectangle's axes a corner is accurate to a few ulp of its distance. If the point is
+  // nearer to the plane than that, or the rectangle smaller, the densities are those of a slightly
+  // different rectangle. Directions are accurate to a few ulp of 1 rad. Rounding can move one past
+  // an edge; it must have a density all the same, so the support extends beyond the edge by 4 ulp
+  // of 1 rad, or by the edge's length if that is less.
  public:
-  /// A corner and the two edges from it [m], within the range of `longest`. Throws std::invalid_argument otherwise, and
-  /// unless the edges are orthogonal, to 64 ulp of the product of their lengths. `on_surface` says that the points that
-  /// it is looked at from lie on it.
+  /// A corner and the two edges from it [m], within the range of `longest`. `on_surface`: the
+  /// points from which it is seen lie on it. Throws std::invalid_argument outside the range, and
+  /// unless the edges are orthogonal to 64 ulp of the product of their lengths.
   RectangleLight(const Vec3<Real>& corner, const Vec3<Real>& edge_x, const Vec3<Real>& edge_y,
                  const Mask<Real>& on_surface = Mask<Real>(false))
       : on_surface_(on_surface), corner_(corner), width_(edge_x.norm()), height_(edge_y.norm()) {
@@ -37,7 +40,8 @@ class RectangleLight {
   Real width() const { return width_; }
   Real height() const { return height_; }
 
-  /// The corner from a point, in the rectangle's own axes [m]: z is the distance of its plane, of either sign.
+  /// The vector from a point to the corner, in the rectangle's axes [m]. z is the signed distance
+  /// of the plane.
   Vec3<Real> corner_from(const Vec3<Real>& point) const {
     const Vec3<Real> corner = to_axes(corner_ - point);
     return {corner.x(), corner.y(), select(on_surface_, Real(0), corner.z())};
@@ -45,7 +49,8 @@ class RectangleLight {
   Vec3<Real> to_axes(const Vec3<Real>& v) const { return {x_.dot(v), y_.dot(v), normal_.dot(v)}; }
   Vec3<Real> from_axes(const Vec3<Real>& v) const { return x_ * v.x() + y_ * v.y() + normal_ * v.z(); }
 
-  /// Where a ray from a point meets the rectangle: the distance [m], and the cosine there, which is 0 where it does not.
+  /// Where a ray from a point hits the rectangle: the distance [m], and the cosine there, which is
+  /// 0 for a miss.
   struct Meeting {
     Real distance;
     Real cosine;
@@ -75,16 +80,17 @@ class RectangleLight {
   Vec3<Real> x_, y_, normal_;
 };
 
-/// The largest density of a direction to a rectangle [1/sr]. From where it would be larger, as the solid angle is nearly 0,
-/// the rectangle is not seen, as from its plane.
+/// The largest density of a direction to a rectangle [1/sr]. Where it would be larger, as the solid
+/// angle is nearly 0, the rectangle counts as invisible, as it is from its own plane.
 template <class Real>
 inline constexpr Lane<Real> largest_density = in_floats<Real> ? Lane<Real>(1e36) : Lane<Real>(1e280);
 
 /// Directions to uniform points of a rectangle.
-/// Formula  p(w) = t^2 / (A cos_L), t the distance of the point in the direction w, cos_L the cosine there
+/// Formula  p(w) = t^2 / (A cos_L), t the distance of the point in direction w, cos_L the cosine
+///          there
 /// Measure  solid angle [1/sr]
-/// Domain   directions that meet the rectangle, to rounding; none from its own plane, nor where the density would pass
-///          `largest_density`; the density is 0 elsewhere
+/// Domain   directions that hit the rectangle, to rounding; none from its own plane, or if the
+///          density exceeds `largest_density`; the density is 0 elsewhere
 /// Random   u in [0,1)^2
 /// Source   Shirley, Wang, Zimmerman 1996, 3.3
 template <class Real>
@@ -120,16 +126,18 @@ class RectangleByArea {
   RectangleLight<Real> rectangle_;
 };
 
-/// Directions uniform in the solid angle S that a rectangle fills: its nearness and its cosine make no variance.
+/// Directions uniform in the solid angle S of a rectangle, so distance and cosine add no variance.
 /// Formula  p(w) = 1 / S
 /// Measure  solid angle [1/sr]
-/// Domain   directions that meet the rectangle, to rounding; none from its own plane, or where it fills less than
-///          1 / largest_density; nor, in floats, from nearer to the plane than 1e-15 of the farthest of the corners' coordinates
-///          in it, in double 1e-60; the density is 0 elsewhere
+/// Domain   directions that hit the rectangle, to rounding; the density is 0 elsewhere
 /// Random   u in [0,1)^2
-/// Source   Urena, Fajardo, King 2013, "An area-preserving parametrization for spherical rectangles"
+/// Source   Urena, Fajardo, King 2013, "An area-preserving parametrization for spherical
+///          rectangles"
 template <class Real>
 class RectangleBySolidAngle {
+  // There is no such direction from the rectangle's own plane, or if S < 1 / largest_density, or if
+  // the plane is nearer than 1e-15 (floats) or 1e-60 (double) times the largest coordinate of a
+  // corner.
  public:
   using Scalar = Real;
 

@@ -20,9 +20,9 @@ const Rgb<Real>& checked_reflectance(const Rgb<Real>& colour) {
 
 }  // namespace detail
 
-/// What facets reflect of what they get, by the cosine at the facet: a function of it, to an Rgb in [0,1].
+/// Reflectances of facets: functions of the cosine at the facet, to an Rgb in [0,1].
 
-/// The same at any angle. Throws std::invalid_argument for a colour outside [0,1].
+/// The same reflectance at all angles. Throws std::invalid_argument for a colour outside [0,1].
 /// Source: elementary.
 template <class Real>
 class ConstantReflectance {
@@ -34,8 +34,8 @@ class ConstantReflectance {
   Rgb<Real> colour_;
 };
 
-/// F = F0 + (1 - F0) (1 - cos)^5, with F0 that at normal incidence. Throws std::invalid_argument for F0 outside [0,1].
-/// Source: Schlick 1994.
+/// F = F0 + (1 - F0) (1 - cos)^5, with F0 the reflectance at normal incidence. Throws
+/// std::invalid_argument for F0 outside [0,1]. Source: Schlick 1994.
 template <class Real>
 class SchlickReflectance {
  public:

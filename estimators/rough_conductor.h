@@ -10,17 +10,21 @@
 
 namespace fairlight {
 
-/// A rough metal: light that GGX facets reflect once. What they reflect onto each other is lost: of white light up to
-/// 69 % at alpha = 1 (docs/estimators.md); EnergyCompensatedConductor gives it back.
-/// Formula  f = D(h) G2(out, in) F(out.h) / (4 z_out z_in), h halfway between out and in; without the cosine
-/// Measure  f in 1/sr; p(in) = G1(out) D(h) / (4 z_out) in solid angle, as visible normals reflect
-/// Domain   directions with z >= 1e-27 in floats, 1e-290 in double, below which f is no number; f and p are 0 elsewhere, so p
-///          integrates to the probability that a facet reflects upwards. Roughness in [1e-4, 1]; Reflectance is F, from the cosine at the facet to an Rgb
+/// Rough metal: single reflection by GGX facets.
+/// Formula  f = D(h) G2(out, in) F(out.h) / (4 z_out z_in), h halfway between out and in; without
+///          the cosine
+/// Measure  f in 1/sr; p(in) = G1(out) D(h) / (4 z_out) in solid angle, by sampling visible normals
+/// Domain   z >= 1e-27 in floats, 1e-290 in double, else f = p = 0; roughness in [1e-4, 1];
+///          Reflectance is F, from the cosine at the facet to an Rgb
 /// Random   u in [0,1)^2
-/// Source   Walter et al. 2007; Heitz 2018. A bounce weighs F G2/G1 <= F
+/// Source   Walter et al. 2007; Heitz 2018
 template <class Real, class Reflectance = ConstantReflectance<Real>, class Facets = Ggx<Real>,
           class Normals = GgxVisibleNormals<Real>>
 class RoughConductor {
+  // Light that facets reflect onto each other is lost: of white light up to 69 % at alpha = 1
+  // (docs/estimators.md). EnergyCompensatedConductor adds it. Below z = 1e-27 in floats, 1e-290 in
+  // double, f would be NaN. p integrates to the probability that a facet reflects upwards. A bounce
+  // weighs F G2/G1 <= F.
  public:
   using Scalar = Real;
   static constexpr int dimensions = 2;
@@ -28,7 +32,7 @@ class RoughConductor {
   RoughConductor(const Facets& facets, Reflectance reflectance)
       : facets_(facets), reflectance_(std::move(reflectance)) {}
 
-  /// To 2e-6, by quadrature; as ggx_albedo, refuses heights below those that it is good for.
+  /// Accurate to 2e-6, by quadrature. Throws below the smallest height of ggx_albedo.
   Rgb<Real> albedo(const Vec3<Real>& out) const {
     const Mask<Real> exists = above(out);
     return select(exists, ggx_albedo(facets_, select(exists, out, up()), reflectance_), zero<Rgb<Real>>());
@@ -50,7 +54,8 @@ class RoughConductor {
     return Density<SolidAngle, Real>(select(both, p, Real(0)));
   }
 
-  /// The density is taken at the facet, not at `in`, whose rounding a roughness of 1e-4 would magnify.
+  /// Evaluates the density at the facet, not at `in`: a roughness of 1e-4 would magnify the
+  /// rounding of `in`.
   Bounce<Real> sample(const Vec3<Real>& out, const Vec2<Real>& u) const {
     const Vec3<Real> o = select(above(out), out, up());
     const Normals normals(facets_, o);
@@ -67,8 +72,9 @@ class RoughConductor {
  private:
   static constexpr Lane<Real> lowest = in_floats<Real> ? Lane<Real>(1e-27) : Lane<Real>(1e-290);
 
-  // The facet that reflects one direction to the other, and its cosine to both, which is half the length of their sum. Where
-  // both graze from opposite sides the squares of the sum underflow: it is taken in parts of its largest component.
+  // The facet that reflects one direction to the other, and its cosine with both, which is half the
+  // length of their sum. If both graze from opposite sides, the squares of the sum underflow, so
+  // the sum is first divided by its largest component.
   struct Facet {
     Vec3<Real> normal;
     Real cosine;

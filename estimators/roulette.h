@@ -8,16 +8,16 @@
 
 namespace fairlight {
 
-/// What roulette decided: whether to go on, and what the rest is then worth.
+/// The result of roulette: whether the path goes on, and the weight of the survivor.
 template <class Real>
 struct Survival {
   Mask<Real> alive;
   Real weight;
 };
 
-/// Goes on with probability q, and pays for it with 1/q.
-/// Domain   q in [0,1]; q = 0 never goes on, q = 1 always does. Throws std::invalid_argument elsewhere: survivors of a q above 1
-///          would be paid too little
+/// Goes on with probability q, and then multiplies by 1/q.
+/// Domain   q in [0,1]; q = 0 never goes on, q = 1 always does. Throws std::invalid_argument
+///          elsewhere, as q > 1 would give survivors too small a weight
 /// Random   one number u in [0,1)
 /// Source   Arvo and Kirk 1990; the paper, 3.2.1
 struct RussianRoulette {
@@ -29,10 +29,10 @@ struct RussianRoulette {
   }
 };
 
-/// An estimator that is run with probability q and counted 1/q times: the same mean.
-/// Domain   q in (0,1]; throws std::invalid_argument elsewhere, as with q = 0 there is no mean left
-/// Random   one dimension, and those of the estimator where it is run
-/// Bound    the estimator's over q, or nothing
+/// Runs an estimator with probability q, and multiplies it by 1/q. The mean stays the same.
+/// Domain   q in (0,1]; throws std::invalid_argument elsewhere, as q = 0 would lose the mean
+/// Random   one dimension, and those of the estimator if it runs
+/// Bound    the estimator's over q, or 0
 /// Source   Arvo and Kirk 1990
 template <class Inner, class Roulette = RussianRoulette>
 class Rouletted {
@@ -59,11 +59,13 @@ class Rouletted {
   double q_;
 };
 
-/// The roulettes of a path are asked before each bounce: `play(albedo, throughput, depth, source)`, with the reflectance
-/// where the path is, what it carries there, and how many bounces it has made. They have no `bound()` of their own: theirs is one
-/// of what a path carries, and how much a bounce may weigh is the scene's to know, and its directions'.
+/// Roulettes of a path. Before each bounce the tracer calls `play(albedo, throughput, depth,
+/// source)` with the reflectance at the vertex, the throughput of the path there, and the number of
+/// bounces so far. They have no `bound()`: the throughput also depends on how much a bounce may
+/// weigh, which the scene and its direction samplers decide.
 
-/// A path goes on with the largest of the surface's three reflectances, so black absorbs and white reflects.
+/// Goes on with probability equal to the largest channel of the surface's reflectance. So black
+/// absorbs, and white always reflects.
 /// Random   one dimension
 /// Bound    the throughput never exceeds 1 with cosine-weighted bounces
 /// Source   the paper, 3.2.1
@@ -75,10 +77,12 @@ struct RouletteByReflectance {
   }
 };
 
-/// A path goes on with the largest channel of what it will carry after a bounce that weighs the albedo, where that is below 1:
-/// survivors then carry 1, so that no work is spent on what hardly counts.
+/// Goes on with probability min(1, largest channel of throughput times albedo), the throughput
+/// after a bounce of weight albedo. Survivors of q < 1 then carry 1, so no work goes into paths of
+/// small weight.
 /// Random   one dimension
-/// Bound    where no bounce weighs more than w times the albedo, a path carries at most w afterwards, or w albedo times what it did
+/// Bound    if every bounce weighs at most w times the albedo: afterwards a path carries at most w,
+///          or w albedo times its throughput
 /// Source   Arvo and Kirk 1990; Pharr, Jakob, Humphreys, PBR 4ed, 13.4
 template <class Roulette = RussianRoulette>
 struct RouletteByThroughput {
@@ -90,11 +94,14 @@ struct RouletteByThroughput {
   }
 };
 
-/// Another roulette, but for the bounces before one of a given number, which all paths make: the first ones carry most of a picture.
-/// Domain   bounces are counted from 1; throws std::invalid_argument for a first one below that
-/// Random   that of the other, before its first bounce too: what a lane draws next must not hang on where the others are
-/// Bound    that of the other, times what the bounces before it weigh, if that is above 1
-/// Source   Mitsuba 3, rr_depth ("may randomly cease after encountering directly visible surfaces": 1)
+/// Plays another roulette from bounce number `first` on. All paths make the earlier bounces, as
+/// these carry most of a picture.
+/// Domain   bounces count from 1; throws std::invalid_argument for a `first` below 1
+/// Random   that of the other roulette, at earlier bounces too: a lane's numbers must not depend on
+///          the depths of the other lanes
+/// Bound    that of the other roulette, times the weights of the earlier bounces if these exceed 1
+/// Source   Mitsuba 3, rr_depth ("may randomly cease after encountering directly visible surfaces":
+///          1)
 template <class Roulette>
 class RouletteFromBounce {
  public:
@@ -116,7 +123,7 @@ class RouletteFromBounce {
   Roulette roulette_;
 };
 
-/// Every path goes on, to the maximum depth: the sum of the terms up to there.
+/// All paths go on to the maximum depth: the sum of the terms up to there.
 /// Source   the paper, 3.2.1 ("truncated light paths after a fixed depth")
 struct NoRoulette {
   template <class Real, UniformSource<Real> Source>

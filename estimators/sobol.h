@@ -7,16 +7,19 @@
 
 namespace fairlight {
 
-/// How many dimensions of Sobol's sequence are used as they are; those beyond come in fours (see OwenSobol).
+/// The number of dimensions taken from Sobol's sequence. Higher ones come in groups of four (see
+/// OwenSobol).
 inline constexpr std::uint32_t sobol_dimensions = 64;
 
-/// Joe and Kuo's direction numbers, read off Boost's engine: [dimension][k] is what bit k of a
-/// point's number contributes.
+/// Joe and Kuo's direction numbers, taken from Boost's engine: [dimension][k] is the contribution
+/// of bit k of a point's number.
 using SobolDirections = std::array<std::array<std::uint32_t, 32>, sobol_dimensions>;
 const SobolDirections& sobol_directions();
 
-/// A coordinate of Sobol's points, not scrambled: 32 binary digits. Points come in the order of their numbers.
-/// Source: Sobol' 1967; Joe and Kuo 2008, "Constructing Sobol sequences with better two-dimensional projections".
+/// One coordinate of Sobol's points, not scrambled, with 32 binary digits. The points are in
+/// natural order, not in Gray code order.
+/// Source   Sobol' 1967; Joe and Kuo 2008, "Constructing Sobol sequences with better
+///          two-dimensional projections"
 template <class W>
 W sobol(std::uint32_t dimension, W point) {
   W digits(0u);
@@ -28,7 +31,7 @@ W sobol(std::uint32_t dimension, W point) {
   return digits;
 }
 
-/// The bits in reverse order.
+/// Reverses the bits.
 template <class W>
 W reverse_bits(W x) {
   x = (x >> 16) | (x << 16);
@@ -38,13 +41,18 @@ W reverse_bits(W x) {
   return ((x & W(0xAAAAAAAAu)) >> 1) | ((x & W(0x55555555u)) << 1);
 }
 
-/// Owen's nested scrambling of binary digits: each digit is flipped or not, as the digits before it and the seeds say. On reversed digits
-/// these are operations that carry upwards only: an odd factor and a shift, and x (2x + 1). Where shift and factor are
-/// uniform, a number becomes any, each as likely as any other, by the shift alone; and two that part after j digits become any two that part there.
-/// That is the law of Owen's scrambling for two points, so a mean has the variance that it has under his. Three points
-/// have it nearly: by factor and shift alone equal steps would stay equal, and rare sets would have all of the error.
-/// Source: Owen 1995, 2003 ("Variance with alternative scramblings of digital nets": what two points have in common decides); Laine
-/// and Karras 2011 (carries); Rivest et al. 1998, "The RC6 block cipher" (x (2x + 1) is one to one).
+// scramble_upwards follows Owen's law for two points, so a mean has the same variance: if shift and
+// factor are uniform, every number is uniform (by the shift alone), and two numbers that first
+// differ at digit j become a uniform pair among those that first differ there. For three points the
+// law is nearly Owen's: without x (2x + 1), equal steps would stay equal, and rare sets would carry
+// all of the error.
+
+/// Owen's nested scrambling of binary digits: each digit is flipped or not, depending on the digits
+/// before it and on the seeds. On reversed digits this is an operation that carries upwards only:
+/// an odd factor, a shift, and x (2x + 1), which is one to one.
+/// Source   Owen 1995, 2003 ("Variance with alternative scramblings of digital nets": pairs of
+///          points decide the variance); Laine and Karras 2011 (carries); Rivest et al. 1998, "The
+///          RC6 block cipher" (x (2x + 1))
 template <class W, class Seed>
 W scramble_upwards(const W& reversed, const Seed& shift, const Seed& factor) {
   const W x = reversed * (W(factor) | W(1u)) + W(shift);
@@ -55,18 +63,20 @@ W nested_scramble(const W& digits, std::uint32_t shift, std::uint32_t factor) {
   return reverse_bits(scramble_upwards(reverse_bits(digits), shift, factor));
 }
 
-/// Sobol's points, Owen-scrambled: of 2^k points, one in each elementary interval as far as Sobol's sequence has it
-/// so, and uniform within. A number has 32 scrambled digits; in double 21 random ones follow, as the scrambling
-/// would go on, since points that differ have parted by then. Packets keep the first 24.
-/// Dimensions from 64 on come in fours, each four being the sequence's first, scrambled anew and in an order of its
-/// own: the points' numbers are scrambled too, so that aligned blocks of 2^k stay together.
+/// Sobol's points, Owen-scrambled: 2^k points have one in each elementary interval, as far as
+/// Sobol's sequence does, uniform within it.
 /// Formula  u_d = scramble_d(sobol_d(i)), with seeds for every (replicate, dimension)
 /// Measure  the unit cube
-/// Domain   n from 1 to 2^28 (throws std::invalid_argument otherwise); a power of two for the points to be a net
-/// Random   four words for two dimensions of a replicate, and as many for those of a point
+/// Domain   n from 1 to 2^28 (else std::invalid_argument); the points are a net if n is a power of
+///          two
+/// Random   for each two dimensions: four words per replicate, four per point
 /// Source   Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences"; Burley 2020
 template <class Real>
 class OwenSobol {
+  // A number has 32 scrambled digits. In double 21 random digits follow, as the scrambling would
+  // continue: different points have differed by then. Packets keep the first 24. Dimensions from 64
+  // on come in groups of four, each the first four dimensions with new scrambling and a new order;
+  // the order scrambles the points' numbers, so aligned blocks of 2^k points stay together.
  public:
   using Scalar = Real;
 
@@ -76,7 +86,7 @@ class OwenSobol {
   std::uint32_t size() const { return n_; }
   PointSource<OwenSobol> source(std::uint32_t first) const { return {*this, first}; }
 
-  /// Dimensions 2k and 2k + 1 of points.
+  /// Dimensions 2k and 2k + 1 of the points.
   std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
     const auto [dimension, order] = place(points, k);
     const auto seeds = replicate_.shared(k);
@@ -87,7 +97,7 @@ class OwenSobol {
   }
 
  private:
-  // Where in the sequence pair k is found: its first dimension, and the points' numbers there.
+  // Where pair k comes from in the sequence: its first dimension, and the points' numbers.
   struct Place {
     std::uint32_t dimension;
     Word<Real> order;

@@ -4,7 +4,8 @@
 
 namespace fairlight {
 
-// Boost's engine counts in Gray code and skips point 0: its point 2^(k+1) - 1 has the code with bit k alone.
+// Boost's engine counts in Gray code and skips point 0. Its point 2^(k+1) - 1 has the Gray code
+// with only bit k set.
 const SobolDirections& sobol_directions() {
   static const auto directions = [] {
     SobolDirections matrix{};

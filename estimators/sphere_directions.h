@@ -5,7 +5,7 @@
 
 namespace fairlight {
 
-/// Uniform directions, all of them.
+/// Uniform directions on the whole sphere.
 /// Formula  p(w) = 1 / (4 pi)
 /// Measure  solid angle [1/sr]
 /// Domain   unit vectors

@@ -8,26 +8,31 @@
 
 namespace fairlight {
 
-/// A sphere from where a point stands, in a frame whose +z leads from the point to the centre. With r the radius and d the
-/// distance of the centre, everything comes from the height h = d - r above the surface, so that nothing cancels for a point
-/// that is near a large sphere or far from a small one.
-/// Outside (h > 0) the outer face is seen, inside (h < 0) the inner one; at the surface (h = 0) the inner one too,
-/// through the half of all directions that lead inwards. Where a select drops a branch, that may be a NaN.
-/// The height, as the point itself, is known to some ulp of d. From nearer to the surface than that, in floats some cm from a
-/// sphere of 1e5 m, the sphere is seen as from a point as far off, maybe on its other side, unless `on_surface` decides.
-/// A direction is known to some ulp of 1 rad. One that rounding takes past the rim has a density all the same, else the
-/// weights of multiple importance sampling did not sum to one: the support ends `rim` beyond it, however small the sphere.
+/// A sphere as seen from a point, in a frame whose +z leads from the point to the centre. With
+/// radius r and distance d of the centre, all formulas use the height h = d - r above the surface.
+/// So nothing cancels for a point near a large sphere or far from a small one.
 template <class Real>
 class SphereFromPoint {
+  // A point outside (h > 0) sees the outer face; a point inside (h < 0) sees the inner face. A
+  // point on the surface (h = 0) also sees the inner face, in the half of all directions that lead
+  // inwards. A branch that a select drops may be NaN. The height is accurate to a few ulp of d, as
+  // the point itself is. Closer to the surface than that (in floats some cm for a sphere of 1e5 m),
+  // the sphere appears as from a point displaced by that error, maybe to the other side.
+  // `on_surface` decides such cases. A direction is accurate to a few ulp of 1 rad. Rounding can
+  // move one past the rim; it must have a density all the same, or the weights of multiple
+  // importance sampling would not sum to 1. So the support extends `rim` beyond the edge, however
+  // small the sphere.
  public:
-  /// The smallest r / d. Below it densities are no numbers of Real.
+  /// The smallest r / d. Below it, densities overflow or are NaN in Real.
   static constexpr Lane<Real> smallest = in_floats<Real> ? Lane<Real>(1e-15) : Lane<Real>(1e-120);
 
-  /// By how much a direction may be past the rim [rad]. Half an ulp each for a direction that is rounded, for the offset
-  /// and for the axis, half for what is left across the axis, and as much again for what a ray tracer adds.
+  /// How far a direction may be past the rim [rad]. Half an ulp each for the rounding of the
+  /// direction, of the offset and of the axis; half for the residue across the axis; and the same
+  /// again for a ray tracer's own rounding.
   static constexpr Lane<Real> rim = 4 * ulp<Real>;
 
-  /// The offset leads from the centre to the point [m]. Throws std::invalid_argument where r / d is below `smallest`.
+  /// `offset` is the point minus the centre [m]. Throws std::invalid_argument if r / d is below
+  /// `smallest`.
   SphereFromPoint(const Vec3<Real>& offset, Real radius, const Mask<Real>& on_surface)
       : offset_(offset),
         frame_(ahead(offset)),
@@ -42,8 +47,9 @@ class SphereFromPoint {
 
   Mask<Real> outside() const { return height_ > Real(0); }
 
-  /// The sample in the direction of a point of the sphere, drawn with the given density. `normal` is its outward normal, in
-  /// the frame but for its z, which is positive on the half that faces the point: (0, 0, 1) is that of the nearest.
+  /// The light sample towards a point of the sphere, which was drawn with the given density.
+  /// `normal` is the outward normal there, in the frame except that its z is positive on the half
+  /// that faces the point: (0, 0, 1) is the nearest point.
   LightSample<Real> towards(const Vec3<Real>& normal, Density<Area, Real> density) const {
     const Real drop = detail::drop_below_pole(normal);
     const Vec3<Real> way(radius_ * normal.x(), radius_ * normal.y(), height_ + radius_ * drop);
@@ -58,8 +64,9 @@ class SphereFromPoint {
             Density<SolidAngle, Real>(select(seen, over_angle.value(), Real(0)))};
   }
 
-  /// The sample in a direction of the cone, at 1 - cos(theta) = u_x (1 - cos(a)) from its axis. Half of the chord is
-  /// r sqrt((1 - u_x) (cos(theta) + cos(a)) / (1 + cos(a))) outside, and sqrt(d^2 cos^2(theta) - level) inside.
+  /// The light sample in a direction of the cone, with 1 - cos(theta) = u_x (1 - cos(a)). Half of
+  /// the chord is r sqrt((1 - u_x) (cos(theta) + cos(a)) / (1 + cos(a))) outside, and sqrt(d^2
+  /// cos^2(theta) - level) inside.
   LightSample<Real> within_cone(const Vec2<Real>& u) const {
     using std::sqrt;
     const Real edge = cap();
@@ -73,10 +80,12 @@ class SphereFromPoint {
             Density<SolidAngle, Real>(Real(1) / directions.solid_angle())};
   }
 
-  /// The density of a direction whose point on the sphere is drawn with the given one, which is constant on what is seen;
-  /// 0 where the direction does not meet it. Whether it does, the point of its line that is nearest to the centre says: what rounding
-  /// takes it along the line changes its distance but to second order, where a frame's axes would each add theirs. Past the
-  /// rim, to rounding, the density is that of a direction as far within, since rounding takes as many either way.
+  /// The density of a direction whose point on the sphere has the given density, which is constant
+  /// on the visible part; 0 if the direction misses.
+  // The point of the line that is nearest to the centre decides whether the direction hits.
+  // Rounding along the line changes its distance only to second order, while the axes of a frame
+  // would each add an error. A direction past the rim, within rounding, gets the density of one as
+  // far inside, since rounding moves equally many either way.
   Density<SolidAngle, Real> over_angle(const Vec3<Real>& direction, Density<Area, Real> density) const {
     using std::abs;
     using std::sqrt;
@@ -91,8 +100,9 @@ class SphereFromPoint {
     return Density<SolidAngle, Real>(select(met, over_angle.value(), Real(0)));
   }
 
-  /// The density of a direction drawn by within_cone; inside the sphere that is every direction. At the angle theta from the
-  /// axis, the square of the chord is 2 (1 - cos(theta)) = 2 sin^2(theta) / (1 + cos(theta)); its own rounding is 8 ulp of it.
+  /// The density of a direction drawn by within_cone; inside the sphere, of any direction. For the
+  /// angle theta from the axis, the squared chord of the unit sphere is 2 (1 - cos(theta)) = 2
+  /// sin^2(theta) / (1 + cos(theta)). Its own rounding error is 8 ulp of it.
   Density<SolidAngle, Real> cone_density(const Vec3<Real>& direction) const {
     using std::sqrt;
     const Vec3<Real> axis = ahead(offset_);
@@ -106,7 +116,7 @@ class SphereFromPoint {
   }
 
  private:
-  // From the point to the centre; any direction where they are one.
+  // The unit vector from the point to the centre; an arbitrary one if they coincide.
   static Vec3<Real> ahead(const Vec3<Real>& offset) {
     const Real length = offset.norm();
     const Mask<Real> apart = length > Real(0);
@@ -114,8 +124,8 @@ class SphereFromPoint {
     return select(apart, Vec3<Real>(offset * inverse), Vec3<Real>(Real(0), Real(0), Real(1)));
   }
 
-  // 1 - cos(a) of the cone of directions that meet the sphere: outside sin(a) = r/d; at the surface a is a right angle, and
-  // inside, where all directions do, two.
+  // 1 - cos(a) of the cone of directions that hit the sphere. Outside, sin(a) = r/d. On the surface
+  // a is 90 degrees; inside it is 180 degrees, as all directions hit.
   Real cap() const {
     using std::sqrt;
     const Real ratio = radius_ / distance_;
@@ -123,13 +133,14 @@ class SphereFromPoint {
     return select(height_ < Real(0), Real(2), Real(ratio * ratio / (Real(1) + cosine)));
   }
 
-  // d^2 - r^2 [m^2], the product of the distances at which any line through the point meets the sphere.
+  // d^2 - r^2 [m^2], the product of the distances to the two hits of any line through the point.
   Real level() const { return height_ * (distance_ + radius_); }
 
   // The square of half the chord, for a point that is not outside.
   Real inner_square(Real along) const { return along * along - level(); }
 
-  // To the nearer meeting outside, to the only one ahead inside; each from the form that does not cancel.
+  // The distance to the nearer hit outside, to the only hit ahead inside; each in the form that
+  // does not cancel.
   Real distance(Real along, Real half_chord) const {
     using std::abs;
     const Real sum = abs(along) + half_chord;
@@ -142,12 +153,13 @@ class SphereFromPoint {
   Real radius_, distance_, height_;
 };
 
-/// A sphere that shines from both its faces.
+/// A sphere that emits from both faces.
 template <class Real>
 class SphereLight {
  public:
-  /// Centre and radius [m], within the range of `longest`; throws std::invalid_argument otherwise. `on_surface` says that
-  /// the points that it lights are on the sphere itself, which rounding would put to either side of it.
+  /// Centre and radius [m], within the range of `longest`; throws std::invalid_argument otherwise.
+  /// `on_surface`: the lit points are on the sphere itself, where rounding would put them on either
+  /// side of it.
   SphereLight(const Vec3<Real>& centre, Real radius, const Mask<Real>& on_surface = Mask<Real>(false))
       : centre_(centre), radius_(radius), on_surface_(on_surface) {
     require_length(radius, "a sphere's radius");

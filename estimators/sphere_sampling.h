@@ -5,15 +5,16 @@
 
 namespace fairlight {
 
-/// Directions to points anywhere on a sphere; those on a face that is turned away do not exist. The points are drawn about
-/// the axis towards the point that is lit, so that near points lose no digits.
-/// Formula  p(w) = t^2 / (4 pi r^2 cos_L), t the distance to the nearest point in the direction w, cos_L the cosine there
+/// Directions to uniform points of a whole sphere; points on its far side do not exist as samples.
+/// Formula  p(w) = t^2 / (4 pi r^2 cos_L), t the distance to the nearest point in direction w,
+///          cos_L the cosine there
 /// Measure  solid angle [1/sr]
-/// Domain   directions that meet the sphere; from its surface those that lead inwards; the density is 0 elsewhere
+/// Domain   directions that hit the sphere (from its surface: that lead inwards); else density 0
 /// Random   u in [0,1)^2
 /// Source   Shirley, Wang, Zimmerman 1996, 3.1; the paper, 3.2
 template <class Real, template <class> class Points = UniformSphereArea>
 class SphereByArea {
+  // The points are drawn about the axis to the lit point, so near points lose no digits.
  public:
   using Scalar = Real;
 
@@ -33,15 +34,18 @@ class SphereByArea {
   Points<Real> points_;
 };
 
-/// Directions to points on the half of a sphere that faces the point that is lit. Only its cap with n_z > r/d is seen from
-/// outside; the rest does not exist. Inside and at the surface the whole sphere is seen, and its points are drawn from all of it.
-/// Formula  p(w) = t^2 / (2 pi r^2 cos_L) outside, t^2 / (4 pi r^2 cos_L) inside, with t and cos_L as for SphereByArea
+/// Directions to uniform points of the hemisphere of a sphere that faces the lit point.
+/// Formula  p(w) = t^2 / (2 pi r^2 cos_L) outside, t^2 / (4 pi r^2 cos_L) inside; t and cos_L as
+///          for SphereByArea
 /// Measure  solid angle [1/sr]
-/// Domain   directions that meet the sphere; from its surface those that lead inwards; the density is 0 elsewhere
+/// Domain   directions that hit the sphere (from its surface: that lead inwards); the density is 0
+///          elsewhere
 /// Random   u in [0,1)^2
 /// Source   Shirley, Wang, Zimmerman 1996, 3.1
 template <class Real, template <class> class Points = UniformSphereArea>
 class SphereByVisibleHemisphere {
+  // From outside, only the cap with n_z > r/d is visible; the other samples do not exist. Inside
+  // and on the surface the whole sphere is visible, and the points are uniform on all of it.
  public:
   using Scalar = Real;
 
@@ -66,16 +70,17 @@ class SphereByVisibleHemisphere {
   Points<Real> points_;
 };
 
-/// Directions uniform in the cone that a sphere fills; from inside, and only there, that is every direction, and from the
-/// surface the half of them that leads inwards. All of them exist. Nothing cancels, however small the cone: with sin(a) = r/d,
-/// 1 - cos(a) = sin^2(a) / (1 + cos(a)).
-/// Formula  p(w) = 1 / (2 pi (1 - cos(a)));  1 / (2 pi) at the surface, 1 / (4 pi) inside
+/// Directions uniform in the cone that a sphere fills: inside all directions, on the surface the
+/// half that leads inwards.
+/// Formula  p(w) = 1 / (2 pi (1 - cos(a))); 1 / (2 pi) on the surface, 1 / (4 pi) inside
 /// Measure  solid angle [1/sr]
 /// Domain   directions in the cone, to rounding; the density is 0 elsewhere
 /// Random   u in [0,1)^2
 /// Source   Shirley, Wang, Zimmerman 1996, 3.2; the cancellation: pbrt-v3 #212
 template <class Real>
 class SphereByCone {
+  // All samples exist. Nothing cancels, however small the cone: with sin(a) = r/d, 1 - cos(a) =
+  // sin^2(a) / (1 + cos(a)).
  public:
   using Scalar = Real;
 

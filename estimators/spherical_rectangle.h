@@ -6,25 +6,26 @@
 
 namespace fairlight {
 
-/// A rectangle [x0, x1] x [y0, y1] in the plane at the distance z, as the origin sees it: the map from the unit square to it that is
-/// uniform in solid angle. As in Urena, Fajardo and King 2013 the first number chooses x, by the solid angle on either side
-/// of it, and the second y, by the sines of the angles above and below it. Unlike there, no step takes a small
-/// difference of large angles, so a rectangle may be small, far off or grazed.
-///
-/// With K(x) the solid angle of [0, x] x [y0, y1] and b_i = atan(y_i / z), sin(A_i) = sin(b_i) x / sqrt(z^2 + x^2),
-/// K = A_1 - A_0 (Urena et al., eq. 5, rewritten). Let s be half the solid angle of what is beyond x in the strip
-/// between y0 and y1, K = (b_1 - b_0) - 2 s. Solving for x,
-///   x = z (w cos 2s - m sin 2s) / (2 sqrt(sin s (w cos s - m sin s) (z cos s + y1 sin s) (z cos s - y0 sin s)))
-/// with w = z (y1 - y0) and m = z^2 + y0 y1, which for s <= (b_1 - b_0) / 2, that is x >= 0, has no small difference under
-/// its root; else the strip is looked at from its other end.
-///
-/// All lengths are taken as parts of the largest coordinate, and no product has more than two of them before it is divided
-/// or rooted: so nothing overflows, and what underflows is no more than a part of 1e-36 of the whole.
+/// The map from the unit square to a rectangle [x0, x1] x [y0, y1] in the plane at distance z from
+/// the origin, uniform in solid angle. As in Urena, Fajardo and King 2013, u_x chooses x by the
+/// solid angle on either side of it, and u_y chooses y by the sines of the angles above and below
+/// it. Unlike there, no step subtracts large, almost equal angles, so the rectangle may be small,
+/// far away or seen at a grazing angle.
 template <class Real>
 class SphericalRectangle {
+  // Let K(x) be the solid angle of [0, x] x [y0, y1], b_i = atan(y_i / z) and sin(A_i) = sin(b_i) x
+  // / sqrt(z^2 + x^2). Then K = A_1 - A_0 (Urena et al., eq. 5, rewritten). Let s be half the solid
+  // angle of the strip between y0 and y1 beyond x: K = (b_1 - b_0) - 2 s. Solving for x,
+  //   x = z (w cos 2s - m sin 2s) /
+  //       (2 sqrt(sin s (w cos s - m sin s) (z cos s + y1 sin s) (z cos s - y0 sin s)))
+  // with w = z (y1 - y0) and m = z^2 + y0 y1. For s <= (b_1 - b_0) / 2, that is x >= 0, nothing
+  // cancels under the root; otherwise the strip is measured from its other end. All lengths are
+  // divided by the largest coordinate, and no product has more than two of them before a division
+  // or a root. So nothing overflows, and underflow loses at most a fraction of 1e-36 of the whole.
  public:
-  /// The nearest corner in the rectangle's axes [m], z of either sign, and the edges. The far corner is found before anything
-  /// is divided: where it is near, the sum of a coordinate and a long edge is exact.
+  /// `corner` is the corner of smallest x and y in the rectangle's axes [m], with z of either sign.
+  /// The far corner is computed before any division: if it is near the origin, the sum of a
+  /// coordinate and a long edge is exact.
   SphericalRectangle(const Vec3<Real>& corner, Real width, Real height)
       : scale_(largest(corner, width, height)),
         x0_(corner.x() / scale_),
@@ -41,16 +42,17 @@ class SphericalRectangle {
     half_angle_ = half_solid_angle();
   }
 
-  /// Whether the plane is as far from the origin as is stated; where it is not, it is taken to be at the distance `scale`.
+  /// Whether the plane is at least `nearest` times `scale` from the origin. If not, its distance is
+  /// taken to be `scale`.
   Mask<Real> seen() const { return seen_; }
 
   /// [sr]
   Real solid_angle() const { return Real(2) * half_angle_; }
 
-  /// What 1 is in `at` [m].
+  /// The unit of length of `at` [m].
   Real scale() const { return scale_; }
 
-  /// The point that a point of the unit square is mapped to, in units of `scale`.
+  /// The image of a point of the unit square, in units of `scale`.
   Vec3<Real> at(const Vec2<Real>& u) const {
     const Real x = across(u.x());
     return {x, along(x, u.y()), side_};
@@ -78,7 +80,7 @@ class SphericalRectangle {
     return select(straddles, both_sides, one_side);
   }
 
-  // The distances of (x, y0) and (x, y1) from the origin, and the square q of that of (x, 0).
+  // The distances of (x, y0) and (x, y1) from the origin, and the squared distance q of (x, 0).
   struct Ends {
     Real q, first, second;
   };
@@ -88,15 +90,16 @@ class SphericalRectangle {
     return {q, sqrt(q + y0_ * y0_), sqrt(q + y1_ * y1_)};
   }
 
-  // r_a r_b + a b, which is positive, without cancellation: r_a^2 = q + a^2, and so for b.
+  // r_a r_b + a b without cancellation. It is positive; r_a^2 = q + a^2, r_b^2 = q + b^2.
   static Real root_plus_product(Real q, Real a, Real b, Real root) {
     using std::abs;
     const Real quotient = q * Real(Real(q + a * a + b * b) / Real(root + abs(a * b)));
     return select(a * b < Real(0), quotient, Real(root + a * b));
   }
 
-  // Of the triangle [x, inf) x [y0, y1], x >= 0, with one corner at infinity: tan(S / 2) = z (y1 - y0) / below, with
-  // below = (x + r0)(x + r1) + z^2 + y0 y1, r_i^2 = z^2 + x^2 + y_i^2. Source: van Oosterom and Strackee 1983.
+  // For the region [x, inf) x [y0, y1], x >= 0, which is a triangle with one corner at infinity:
+  // tan(S / 2) = z (y1 - y0) / below, with below = (x + r0)(x + r1) + z^2 + y0 y1 and r_i^2 = z^2 +
+  // x^2 + y_i^2. Source: van Oosterom and Strackee 1983.
   struct Beyond {
     Real first, second;  // r0, r1
     Real below;
@@ -106,7 +109,7 @@ class SphericalRectangle {
     return {r0, r1, x * (r0 + r1) + q + root_plus_product(q, y0_, y1_, Real(r0 * r1))};
   }
 
-  // Half the solid angle of [x, inf) x [y0, y1], and `quarter` that of [0, inf).
+  // Half the solid angle of [x, inf) x [y0, y1]. `quarter` is that of [0, inf) x [y0, y1].
   Real half_beyond(Real x, Real quarter) const {
     using std::abs;
     using std::atan;
@@ -114,8 +117,9 @@ class SphericalRectangle {
     return select(x < Real(0), Real(Real(2) * quarter - half), half);
   }
 
-  // Half the solid angle of [near, far] x [y0, y1] at x >= 0: that beyond near but not beyond far, by the tangent of the
-  // difference, in which far below - near below has the factor far - near.
+  // Half the solid angle of [near, far] x [y0, y1], near >= 0: that beyond `near` minus that beyond
+  // `far`, by the tangent of the difference. There far.below - near.below has the factor far -
+  // near.
   Real half_between(Real near, Real far, Real apart) const {
     using std::atan;
     const Beyond a = beyond(near), b = beyond(far);
@@ -123,7 +127,7 @@ class SphericalRectangle {
     const Real second = near + a.second + far + b.second;
     const Real more =
         first / (a.first + b.first) * (far + b.second) + (near + a.first) * second / (a.second + b.second);
-    const Real tangent = z_ * height_ / a.below;  // of what is beyond near
+    const Real tangent = z_ * height_ / a.below;  // of half the solid angle beyond `near`
     return atan(Real(tangent * Real(apart * more) / (b.below + tangent * (z_ * height_))));
   }
 
@@ -145,7 +149,7 @@ class SphericalRectangle {
     return select(above < below, x, Real(-x));
   }
 
-  // 1 - y / sqrt(q + y^2), with r that root
+  // 1 - y / r, with r = sqrt(q + y^2).
   static Real sine_short_of_one(Real q, Real y, Real r) {
     using std::abs;
     return select(y > Real(0), Real(q / (r * (r + abs(y)))), Real(Real(1) + abs(y) / r));
@@ -165,7 +169,7 @@ class SphericalRectangle {
   Real scale_;  ///< [m]
   Real x0_, x1_, y0_, y1_, width_, height_;
   Mask<Real> seen_;
-  Real z_, side_;    ///< the distance of the plane, without and with its sign
+  Real z_, side_;    ///< distance of the plane: unsigned, signed
   Real half_angle_;  ///< half of the solid angle [sr]
 };
 

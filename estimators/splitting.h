@@ -8,14 +8,14 @@
 
 namespace fairlight {
 
-/// An estimator that is run k times in the mean, each run counted 1/k times: the same mean, with less variance. A
-/// fraction of k is the probability of one run more; below 1 it is roulette.
-/// Formula  1/k times the sum of floor(k) runs, and of one more with the probability k - floor(k)
-/// Domain   k > 0, up to 10^9; throws std::invalid_argument elsewhere
-/// Random   the dimensions of each run; one more, before them, where k is not whole
-/// Bound    the estimator's; where k is not whole, that of floor(k) or floor(k) + 1 draws over k
-/// Source   Arvo and Kirk 1990; the fraction: Booth 1985, "Monte Carlo variance comparison for expected-value versus
-///          sampled splitting"
+/// Runs an estimator k times on average, and weights each run by 1/k: the same mean, with less
+/// variance. The fraction of k is the probability of one more run; k < 1 is roulette.
+/// Formula  1/k times the sum of floor(k) runs, and of one more with probability k - floor(k)
+/// Domain   0 < k <= 10^9; throws std::invalid_argument elsewhere
+/// Random   the dimensions of each run; before them one more if k is not an integer
+/// Bound    the estimator's; if k is not an integer, that of floor(k) or floor(k) + 1 draws, over k
+/// Source   Arvo and Kirk 1990; the fraction: Booth 1985, "Monte Carlo variance comparison for
+///          expected-value versus sampled splitting"
 template <class Inner>
 class Splitting {
  public:

@@ -6,8 +6,8 @@
 
 namespace fairlight {
 
-/// Kensler's hash, a permutation of the low bits that `mask` = 2^b - 1 covers.
-/// Source: Kensler 2013, "Correlated multi-jittered sampling", listing 3.
+/// Kensler's hash: a permutation of the low b bits, mask = 2^b - 1.
+/// Source   Kensler 2013, "Correlated multi-jittered sampling", listing 3
 template <class W>
 W permute_bits(W i, std::uint32_t mask, std::uint32_t seed) {
   const W low(mask);
@@ -31,8 +31,9 @@ W permute_bits(W i, std::uint32_t mask, std::uint32_t seed) {
   return i ^ (i >> 5);
 }
 
-/// Where i < n goes in a permutation of 0 .. n-1: the hash, walked along its cycle until it is below n, and then a
-/// rotation. The rotation alone makes every place as likely as any other (to n 2^-32), whatever the hash does.
+/// The image of i < n under a permutation of 0 .. n-1. Repeats the hash until the result is below
+/// n, and then rotates. The rotation alone makes every image equally likely (to n 2^-32), whatever
+/// the hash does.
 template <class W>
 W permute(W i, std::uint32_t n, std::uint32_t seed, std::uint32_t rotation) {
   const std::uint32_t mask = std::bit_ceil(n) - 1;
@@ -42,7 +43,7 @@ W permute(W i, std::uint32_t n, std::uint32_t seed, std::uint32_t rotation) {
   return select(turned >= W(n), W(turned - W(n)), turned);
 }
 
-/// Quotient and remainder.
+/// The quotient and the remainder.
 inline std::array<std::uint32_t, 2> divide(std::uint32_t x, std::uint32_t by) { return {x / by, x % by}; }
 template <class A>
 std::array<xsimd::batch<std::uint32_t, A>, 2> divide(const xsimd::batch<std::uint32_t, A>& x, std::uint32_t by) {
@@ -54,9 +55,9 @@ std::array<xsimd::batch<std::uint32_t, A>, 2> divide(const xsimd::batch<std::uin
   return {quotient, W(x - quotient * W(by))};
 }
 
-/// A number in [0,1), uniform in the stratum [stratum/n, (stratum+1)/n): with J the jitter's digits, the whole part
-/// of (stratum 2^53 + J) / n, by long division, times 2^-53. So it never reaches 1, and where all strata are as
-/// likely it is exactly uniform.
+/// A number in [0,1), uniform in the stratum [stratum/n, (stratum+1)/n). With J the jitter's 53
+/// digits, it is 2^-53 times the integer part of (stratum 2^53 + J) / n, by long division. So it
+/// never reaches 1. If all strata are equally likely, it is exactly uniform.
 inline double in_stratum(std::uint32_t stratum, std::uint32_t n, std::uint32_t high, std::uint32_t low) {
   const std::uint64_t first = (std::uint64_t{stratum} << 32) | high;
   const std::uint64_t rest = ((first % n) << 21) | (low >> 11);

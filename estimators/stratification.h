@@ -9,17 +9,18 @@
 
 namespace fairlight {
 
-/// The place u of the cell i in [0,1), cut into n. Where the quotient rounds to 1, it is the last number below.
+/// The point u of cell i, where n cells divide [0,1). If the quotient rounds to 1, returns the
+/// largest number below 1.
 template <class Real>
 Real in_cell(int i, int n, Real u) {
   const Real place = (rounded<Real>(i) + u) / rounded<Real>(n);
   return select(place < Real(1), place, Real(Real(1) - Real(ulp<Real> / 2)));
 }
 
-/// The mean of an estimator over a grid of jittered pairs: its first two numbers fall in each cell of the unit square
-/// once, the others are as they come. One draw is the whole grid; the terms of it are no draws, for they depend on
-/// their cells.
-/// Formula  1/(columns rows) times the sum over the cells (i, j) of F((i + u)/columns, (j + v)/rows, ...)
+/// The mean of an estimator over a jittered grid: its first two numbers fall once into each cell of
+/// the unit square; the others are unstratified. One draw is the whole grid. The terms are not
+/// draws, as they depend on their cells.
+/// Formula  1/(columns rows) sum over cells (i, j) of F((i + u)/columns, (j + v)/rows, ...)
 /// Domain   columns and rows at least 1 (throws std::invalid_argument otherwise)
 /// Random   the dimensions of the estimator, for each cell
 /// Bound    the estimator's
@@ -50,7 +51,8 @@ class StratifiedMean {
   Bound bound() const { return inner_.bound(); }
 
  private:
-  // The numbers of one cell: the first two within it. It owns its source, so that a copy of it repeats them.
+  // The numbers of one cell; the first two fall into the cell. It owns its source, so a copy of it
+  // repeats the numbers.
   template <class Source>
   struct Cell {
     Source numbers;

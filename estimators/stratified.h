@@ -6,17 +6,19 @@
 
 namespace fairlight {
 
-/// Jittered strata: every pair of dimensions has a grid of its own, of columns = ceil(sqrt n) by rows = ceil(n /
-/// columns) cells, and the n points lie in n of them, in an order that is random and independent for each pair.
-/// When n fills the grid every cell has its point; otherwise fewer than `columns` cells, chosen at random, stay
-/// empty. A point's cell is any cell, each as likely, so it is uniform for every n.
-/// Formula  (u_2k, u_2k+1) = ((column, row) + jitter) / (columns, rows), with row columns + column = pi_k(i)
+/// Jittered strata: for each pair of dimensions, n points in n different cells of a grid, with
+/// columns = ceil(sqrt n) and rows = ceil(n / columns), in an independent random order.
+/// Formula  (u_2k, u_2k+1) = ((column, row) + jitter) / (columns, rows); row columns + column =
+///          pi_k(i)
 /// Measure  the unit cube
-/// Domain   any n from 1 to 2^28 (throws std::invalid_argument otherwise)
-/// Random   two words for two dimensions of a replicate, and four for those of a point
+/// Domain   n from 1 to 2^28 (throws std::invalid_argument otherwise)
+/// Random   for each two dimensions: two words per replicate, four per point
 /// Source   Cook 1986, "Stochastic sampling in computer graphics"; the permutation by Kensler 2013
 template <class Real>
 class Stratified {
+  // If n fills the grid, every cell holds one point. Otherwise fewer than `columns` cells, chosen
+  // at random, stay empty. A point falls into any cell with equal probability, so it is uniform for
+  // every n.
  public:
   using Scalar = Real;
 
@@ -31,7 +33,7 @@ class Stratified {
   std::uint32_t rows() const { return rows_; }
   PointSource<Stratified> source(std::uint32_t first) const { return {*this, first}; }
 
-  /// Dimensions 2k and 2k + 1 of points.
+  /// Dimensions 2k and 2k + 1 of the points.
   std::array<Real, 2> pair(const Word<Real>& points, std::uint32_t k) const {
     const auto seeds = replicate_.shared(k);
     const auto jitter = replicate_.own(points, k);

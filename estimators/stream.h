@@ -10,8 +10,10 @@
 
 namespace fairlight {
 
-/// Philox 4x32-10: a counter and a key to four uniform 32-bit words, without state. Word may be a packet of words.
-/// Source: Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3"; known answers in the tests.
+/// Philox 4x32-10: maps a counter and a key to four uniform 32-bit words, without state. Word may
+/// be a packet of words.
+/// Source   Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3"; the tests check
+///          known answers
 template <class Word>
 struct Philox {
   using Counter = std::array<Word, 4>;
@@ -28,7 +30,7 @@ struct Philox {
   }
 };
 
-/// The number in [0,1) whose binary digits are the words': 53 of them, or 24 in packets.
+/// The number in [0,1) with the binary digits of the words: the first 53, or 24 in packets.
 inline double unit_number(std::uint32_t high, std::uint32_t low) {
   return static_cast<double>((std::uint64_t{high} << 21) | (low >> 11)) * 0x1p-53;
 }
@@ -38,16 +40,17 @@ xsimd::batch<float, A> unit_number(const xsimd::batch<std::uint32_t, A>& high,
   return xsimd::to_float(xsimd::bitwise_cast<xsimd::batch<std::int32_t, A>>(high >> 8)) * 0x1p-24f;
 }
 
-/// That of 27 digits of the first word and 26 of the second.
+/// The number with 27 digits of the first word and 26 of the second.
 inline double unit_number_of_halves(std::uint32_t high, std::uint32_t low) {
   return static_cast<double>((std::uint64_t{high >> 5} << 26) | (low >> 6)) * 0x1p-53;
 }
 
-/// Five of something, as many as a block of random words has numbers of 24 digits.
+/// Five values: a Philox block holds five numbers of 24 digits.
 template <class Number>
 using SampleBlock = std::array<Number, 5>;
 
-/// Five numbers of 24 digits each, at the top of their words: four words' own, and the lower 8 of three.
+/// Five numbers of 24 digits, each at the top of a word: the upper 24 bits of the four words, and
+/// the lower 8 bits of three of them.
 template <class W>
 SampleBlock<W> five_of(const std::array<W, 4>& words) {
   const W low(0xFFu);
@@ -55,8 +58,8 @@ SampleBlock<W> five_of(const std::array<W, 4>& words) {
   return {words[0], words[1], words[2], words[3], last};
 }
 
-/// What draws are for: a seed and a purpose (the name of a claim, or of a render), folded into one key, so that no
-/// two purposes share numbers. The fold is FNV-1a, then one Philox block under the seed.
+/// Folds a seed and a purpose (the name of a claim, or of a render) into one key, so that no two
+/// purposes share numbers. The fold is FNV-1a, and then one Philox block under the seed.
 class StreamKey {
  public:
   StreamKey(std::uint64_t seed, std::string_view purpose) {
@@ -66,8 +69,8 @@ class StreamKey {
   }
   const Philox<std::uint32_t>::Key& words() const { return key_; }
 
-  /// Key n of those that a purpose may use one after the other, where the numbers of one run out; key 0 is this one.
-  /// All 2^32 differ.
+  /// Key n of a purpose, for when the numbers of one key run out. Key 0 is this one; all 2^32
+  /// differ.
   StreamKey further(std::uint32_t n) const {
     StreamKey key = *this;
     key.key_[0] += n;
@@ -80,9 +83,10 @@ class StreamKey {
   Philox<std::uint32_t>::Key key_;
 };
 
-/// A UniformSource: the numbers of one sample, in [0,1), one dimension after the other. A number is
-/// a function of (key, unit, sample, dimension) and of nothing else; a unit is a pixel, a chain or
-/// a block of draws. Source: Salmon et al. 2011, whose function is Philox.
+/// A UniformSource: the numbers of one sample in [0,1), one dimension after another. A number is a
+/// function of (key, unit, sample, dimension) and of nothing else. A unit is a pixel, a chain or a
+/// block of draws.
+/// Source   Salmon et al. 2011 (Philox)
 template <class Real>
 class PhiloxStream;
 
@@ -111,20 +115,20 @@ class PhiloxStream<double> {
   std::size_t left_ = 0;
 };
 
-/// The same for packets: a lane is a sample, and a number a multiple of 2^-24, so a block of 128 bits holds five. What a lane
-/// gets does not depend on how many lanes there are.
+/// The same in packets, with one sample per lane. Numbers are multiples of 2^-24, so a block of 128
+/// bits holds five. A lane's numbers do not depend on the number of lanes.
 template <class A>
 class PhiloxStream<xsimd::batch<float, A>> {
  public:
   using Real = xsimd::batch<float, A>;
   using Word = xsimd::batch<std::uint32_t, A>;
 
-  /// Of the samples `first`, `first` + 1, ..., one a lane.
+  /// The samples `first`, `first` + 1, ..., one per lane.
   PhiloxStream(const StreamKey& key, std::uint32_t unit, std::uint64_t first)
       : key_{Word(key.words()[0]), Word(key.words()[1])},
         counter_{Word(0u), Word(static_cast<std::uint32_t>(first)) + lane_numbers<A>(),
                  Word(static_cast<std::uint32_t>(first >> 32)), Word(unit)} {
-    counter_[2] += select(counter_[1] < lane_numbers<A>(), Word(1u), Word(0u));  // where the low word has wrapped
+    counter_[2] += select(counter_[1] < lane_numbers<A>(), Word(1u), Word(0u));  // carry: the low word has wrapped
   }
 
   /// The next dimension.

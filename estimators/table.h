@@ -6,12 +6,12 @@
 
 namespace fairlight {
 
-/// A table of numbers, looked up by an index of each lane's own. Indices outside it are the caller's mistake.
+/// A table of numbers that each lane looks up by its own index. The caller keeps indices in range.
 template <class Real>
 class Table {
  public:
   Table() = default;
-  /// The numbers as near as Real comes to them.
+  /// Rounds the numbers to Real.
   explicit Table(const std::vector<double>& numbers) : size_(numbers.size()) {
     for (double x : numbers) numbers_.push_back(static_cast<Lane<Real>>(x));
     numbers_.resize((size_ + lanes<Real>) / lanes<Real> * lanes<Real>);
@@ -29,7 +29,7 @@ class Table {
 
  private:
   std::size_t size_ = 0;
-  std::vector<Lane<Real>> numbers_;  // and zeros, to whole registers
+  std::vector<Lane<Real>> numbers_;  // padded with zeros to whole registers
 };
 
 }  // namespace fairlight

@@ -5,10 +5,10 @@
 
 namespace fairlight {
 
-/// Uniform points on a sphere, the whole of it; those on the far side have a negative cosine, and count nothing.
+/// Uniform points on a whole sphere. Those on the far side have a negative cosine, and count as 0.
 /// Formula  p(x) = 1 / (4 pi r^2)
 /// Measure  area [1/m^2]
-/// Domain   points of the sphere, as unit outward normals; centre + r n is the point
+/// Domain   points of the sphere, as unit outward normals n; the point is centre + r n
 /// Random   u in [0,1)^2
 /// Source   Archimedes (equal areas at equal heights); Shirley, Wang, Zimmerman 1996
 template <class Real>
@@ -26,7 +26,7 @@ class UniformSphereArea {
 
   Vec2<Real> invert(const Point& normal) const { return normals_.invert(normal); }
 
-  /// As seen from the centre every point is head on.
+  /// From the centre, every point is at distance r with cosine 1.
   Density<Measure, Real> pdf(const Point& normal) const { return to_area(normals_.pdf(normal), radius_, Real(1)); }
 
  private:

@@ -15,18 +15,18 @@ template <class Real>
 using Vec2 = Eigen::Matrix<Real, 2, 1>;
 template <class Real>
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
-/// Red, green and blue; radiance in W/(sr m^2), or a reflectance in [0,1].
+/// Red, green and blue: a radiance in W/(sr m^2), or a reflectance in [0,1].
 template <class Real>
 using Rgb = Eigen::Array<Real, 3, 1>;
 
-/// The largest of three channels.
+/// The largest channel.
 template <class Real>
 Real max_channel(const Rgb<Real>& colour) {
   using std::max;
   return max(max(colour[0], colour[1]), colour[2]);
 }
 
-/// The zero of a number, a vector or a colour.
+/// Zero of a number, vector or colour type.
 template <class Value>
 Value zero() {
   if constexpr (requires { Value::Zero(); }) {
@@ -36,13 +36,13 @@ Value zero() {
   }
 }
 
-/// Whether no component of any lane is infinite or not a number.
+/// Whether no component of any lane is infinite or NaN.
 template <class Real>
 bool all_finite(const Vec3<Real>& v) {
   return all_finite(v.x()) && all_finite(v.y()) && all_finite(v.z());
 }
 
-/// Throws std::invalid_argument unless `v`, called `what`, is a unit vector but for rounding.
+/// Throws std::invalid_argument unless `v`, called `what`, is a unit vector to rounding.
 template <class Real>
 void require_unit(const Vec3<Real>& v, const char* what) {
   using std::abs;
@@ -51,9 +51,10 @@ void require_unit(const Vec3<Real>& v, const char* what) {
   throw std::invalid_argument(std::string(what) + " must be a unit vector (divide it by its length)");
 }
 
-/// An orthonormal, right-handed frame about a unit normal. The normal is neither checked nor made unit: of one that is too
-/// long by a small part e the frame is off by some e. Its z may be either zero: which of them a negation makes hangs on the instructions.
-/// Source: Duff et al. 2017, "Building an orthonormal basis, revisited".
+/// An orthonormal, right-handed frame about a unit normal, which is neither checked nor normalised:
+/// a relative error e in its length gives an error of about e in the frame. A zero component may
+/// have either sign, depending on the instruction set.
+/// Source   Duff et al. 2017, "Building an orthonormal basis, revisited"
 template <class Real>
 class Frame {
  public:
@@ -65,7 +66,7 @@ class Frame {
     bitangent_ = {b, sign + normal.y() * normal.y() * a, -normal.y()};
   }
 
-  /// From the frame, where the normal is +z, to the world.
+  /// From the frame, in which the normal is +z, to the world.
   Vec3<Real> to_world(const Vec3<Real>& local) const {
     return tangent_ * local.x() + bitangent_ * local.y() + normal_ * local.z();
   }

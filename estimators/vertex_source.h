@@ -7,24 +7,26 @@
 
 namespace fairlight {
 
-/// Whose numbers they are, a path a lane: lanes may be at different pixels, samples and vertices.
+/// The vertex whose numbers are drawn. Each lane holds one path, and lanes may differ in pixel,
+/// sample and vertex.
 template <class Real>
 struct PathVertex {
   Word<Real> pixel, sample, vertex;
 };
 
-/// The numbers of a vertex are made five at a time: two pairs, each spread as a pair if at all, and one alone. It is what a
-/// shadow ray, a roulette and a bounce take, and in packets what a Philox block holds. How much of a block is made: all five, or the first
-/// pair alone for a vertex that takes no more; the others are then not for use.
+/// Numbers of a vertex come in blocks of five: two pairs, each stratified as a pair (if at all),
+/// and a single one. That is what a shadow ray, a roulette and a bounce need, and what a Philox
+/// block holds in packets. `first_pair` computes only the first pair, for vertices that need no
+/// more; the other numbers are then invalid.
 enum class BlockPart { all, first_pair };
 
-/// 64 binary digits of a number in [0,1), of which packets use the first 24.
+/// 64 binary digits of a number in [0,1); packets use the first 24.
 template <class W>
 struct Fixed64 {
   W high, low;
 };
 
-/// Four random words for a sample, or a set, of a pixel at a vertex.
+/// Four random words of a vertex, for a sample or a set of samples of the pixel.
 template <class Real>
 std::array<Word<Real>, 4> vertex_words(const StreamKey& key, std::uint32_t i, const Word<Real>& sample,
                                        const PathVertex<Real>& at) {
@@ -32,7 +34,8 @@ std::array<Word<Real>, 4> vertex_words(const StreamKey& key, std::uint32_t i, co
   return Philox<W>::draw({W(i), sample, at.vertex, at.pixel}, {W(key.words()[0]), W(key.words()[1])});
 }
 
-/// Five independent numbers of block b, in packets 24 digits of each. What a set shares is counted from 2^31 on.
+/// Five independent numbers of block b, in packets with 24 digits each. Shared words of sets use
+/// counters from 2^31 on.
 template <class Real>
 SampleBlock<Fixed64<Word<Real>>> independent_digits(const StreamKey& key, const PathVertex<Real>& at,
                                                     std::uint32_t b) {
@@ -53,7 +56,7 @@ SampleBlock<Fixed64<Word<Real>>> independent_digits(const StreamKey& key, const 
   }
 }
 
-/// As numbers.
+/// Converts digits to numbers in [0,1).
 template <class Real>
 SampleBlock<Real> unit_numbers(const SampleBlock<Fixed64<Word<Real>>>& digits) {
   SampleBlock<Real> numbers;
@@ -61,7 +64,7 @@ SampleBlock<Real> unit_numbers(const SampleBlock<Fixed64<Word<Real>>>& digits) {
   return numbers;
 }
 
-/// Numbers of vertices that are independent of each other, all of them.
+/// Independent numbers for all vertices.
 /// Source   Salmon et al. 2011
 class IndependentNumbers {
  public:
@@ -87,8 +90,9 @@ W mixed_bits(W x) {
   return x ^ (x >> 16);
 }
 
-/// A pixel's samples may come in sets of n = 2^m points that are spread together: samples 0 .. n-1, n .. 2n-1 and so on.
-/// Sets, pixels, vertices and blocks have shared words that are independent of each other.
+/// Groups a pixel's samples into sets of n = 2^m points that are stratified together: samples 0 ..
+/// n-1, n .. 2n-1 and so on. The shared words of different sets, pixels, vertices and blocks are
+/// independent.
 class SampleSets {
  public:
   /// Throws std::invalid_argument unless n is a power of two from 1 to 1024.
@@ -110,14 +114,15 @@ class SampleSets {
     return sample & W(size() - 1);
   }
 
-  /// Four random words that the points of a set share, of block b.
+  /// Four random words of block b that the points of a set share.
   template <class Real>
   std::array<Word<Real>, 4> shared_words(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) const {
     constexpr std::uint32_t shared = 0x80000000u;
     return vertex_words(key, shared | b, set_of(at.sample), at);
   }
 
-  /// Three words more, for the orders of the points: no mean depends on these, so that a hash will do, which takes less time.
+  /// Three more words, for the orders of the points. No mean depends on them, so a hash is enough;
+  /// it is faster.
   /// Source   Collet 2012, xxHash (the odd factors)
   template <class Real>
   std::array<Word<Real>, 3> order_words(const StreamKey& key, const PathVertex<Real>& at, std::uint32_t b) const {
@@ -136,8 +141,9 @@ class SampleSets {
   std::uint32_t bits_;
 };
 
-/// Where point i < 2^bits <= 1024 comes in an order that a random word says: four rounds of an affine map and a shift, each one
-/// to one. What two dimensions have in common that are padded by it varies within 5 % as under random permutations.
+/// The place of point i < 2^bits <= 1024 in an order given by a random word: four rounds of an
+/// affine map and a shift, each one to one. The joint variation of two dimensions that are padded
+/// by it is within 5 % of that under random permutations.
 template <class W>
 W shuffled(const W& i, std::uint32_t bits, const W& word) {
   const W mask((1u << bits) - 1);
@@ -150,12 +156,15 @@ W shuffled(const W& i, std::uint32_t bits, const W& word) {
   return x;
 }
 
-/// A UniformSource: the numbers of one vertex of a path, a path a lane. `numbers.block(at, b, part)` makes five at a time, or the first
-/// pair alone: what takes more all the same is given the first pairs of further blocks. A number is a function of (key, pixel, sample, vertex,
-/// dimension) and, after the first pair, of the part, whatever lane it is in.
-/// Source   Salmon et al. 2011; Pharr, Jakob, Humphreys, PBR 4ed, 8.3 (pairs and single numbers are asked for as such)
+/// A UniformSource: the numbers of one path vertex, one path per lane. A number is a function of
+/// (key, pixel, sample, vertex, dimension) and, after the first pair, of the part. It does not
+/// depend on the lane.
+/// Source   Salmon et al. 2011; Pharr, Jakob, Humphreys, PBR 4ed, 8.3 (pairs and single numbers are
+///          separate requests)
 template <class Real, class Numbers>
 class VertexSource {
+  // `numbers.block(at, b, part)` gives five numbers, or only the first pair. With `first_pair`, a
+  // vertex that needs more numbers than that takes the first pairs of further blocks.
  public:
   VertexSource(const Numbers& numbers, const PathVertex<Real>& at, BlockPart part = BlockPart::all)
       : numbers_(numbers), at_(at), part_(part) {}
@@ -173,7 +182,8 @@ class VertexSource {
     return {block_[i], block_[i + 1]};
   }
 
-  /// The next dimension: one that a block has left; or the first of a pair, of which the second is then left.
+  /// The next dimension: a single number left over from a block, or the first of a new pair, whose
+  /// second is kept for later.
   Real next() {
     if (singles_left_ != 0) return singles_[--singles_left_];
     const std::array<Real, 2> two = pair();

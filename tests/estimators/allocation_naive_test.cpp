@@ -12,7 +12,7 @@ using testing::one_by_one;
 using testing::SpikyPixels;
 
 TEST(PooledStages, IsTheMeanOfAllSamples) {
-  // Pilot 0, 0 and 0, 1; then all six for the second pixel: the mean of 0 .. 7.
+  // The pilots are 0, 0 and 0, 1. Then the second pixel gets all six: the mean of 0 .. 7.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) { return static_cast<double>(pixel * sample); };
   const auto image = PooledStages<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(one_by_one(draw));
   EXPECT_EQ(image[0], 0);
@@ -31,8 +31,8 @@ TEST(PooledStages, RefusesABudgetBelowThePilot) {
   EXPECT_THROW(PooledStages<AllocationByVariance>({PixelGrid(2, 1), 3, 2}), std::invalid_argument);
 }
 
-// One spiky pixel beside a black one, pilot 2, then 4. The pilot shows one spike with probability 2 p (1 - p), and
-// then all 4 follow; else 2 do.
+// A spiky pixel beside a black one: a pilot of 2 each, then 4 more. With probability 2 p (1 - p)
+// the pilot has exactly one spike, and the spiky pixel gets all 4; otherwise it gets 2.
 TEST(PooledStages, IsBiasedOverEveryOutcome) {
   constexpr double p = 0.1;
   const SpikyPixels pixels{{p, 0}, {10, 1}};

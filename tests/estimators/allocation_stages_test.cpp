@@ -31,8 +31,8 @@ TEST(StagedSampling, DividesTheRestEvenlyAmongTheStages) {
 }
 
 TEST(StagedSampling, ScoresAllTheSamplesSoFar) {
-  // Pilot 0, 0 and 0, 6: all of stage 1 for the second pixel, whose samples are then 0, 6, 3, 3: still all of stage
-  // 2.
+  // The pilots are 0, 0 and 0, 6, so the second pixel gets all of stage 1. Its samples are then 0,
+  // 6, 3, 3, so it gets all of stage 2.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) {
     return pixel == 0 || sample == 0 ? 0.0 : sample == 1 ? 6.0 : 3.0;
   };

@@ -84,8 +84,9 @@ RC_GTEST_PROP(ShareOut, MeetsTheBudgetExactly, ()) {
   for (std::uint64_t count : counts) RC_ASSERT(count >= least);
 }
 
-// A pixel's count is one of the two whole numbers about its share. The scores' sum is a multiple of a small part of
-// the largest, so a rounding of shares, 2^-53 a pixel, is nothing beside 1e-9.
+// A pixel's count is its share rounded up or down. The scores are integers, so their sum is a
+// multiple of a small part of the largest. The rounding of shares, 2^-53 per pixel, is far below
+// 1e-9.
 RC_GTEST_PROP(ShareOut, IsWithinOneSampleOfTheShare, ()) {
   const auto scores = *rc::gen::nonEmpty(rc::gen::container<Scores>(
       rc::gen::map(rc::gen::inRange(0, 1000), [](int s) { return static_cast<double>(s); })));

@@ -17,7 +17,7 @@ using testing::SpikyPixels;
 const SpikyPixels two{{0.1, 0.25}, {10, 2}};
 const SpikyPixels three{{0.1, 0.25, 0.5}, {10, 2, 1}};
 
-// Sums of up to 2^15 terms of rounding 2^-53 each: far below.
+// The sums have up to 2^15 terms with a rounding error of 2^-53 each, far below the tolerance.
 void expect_the_means(const std::vector<double>& image, const SpikyPixels& pixels) {
   for (std::size_t i = 0; i < image.size(); ++i) EXPECT_NEAR(image[i], pixels.mean(i), 1e-10) << i;
 }
@@ -65,14 +65,15 @@ TEST(DiscardedPilot, IsPlainUniformSamplingWithoutAPilot) {
 }
 
 TEST(DiscardedPilot, DrawsMoreWhereThePilotVaried) {
-  // Pilot 0, 0 and 0, 1; then 1 and 5 samples.
+  // The pilots are 0, 0 and 0, 1; then 1 and 5 samples.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) { return static_cast<double>(pixel * sample); };
   EXPECT_EQ(DiscardedPilot<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(one_by_one(draw)),
             (std::vector<double>{0, 4}));
 }
 
 TEST(FixedStageWeights, WeighStagesByTheirBudgets) {
-  // Pilot 0, 0 and 0, 1, weight 4/10; then samples 2 and 2 .. 6, weight 6/10.
+  // The pilots are 0, 0 and 0, 1, with weight 4/10. Then sample 2, and samples 2 .. 6, with weight
+  // 6/10.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) { return static_cast<double>(pixel * sample); };
   const auto image = FixedStageWeights<AllocationByDeviation>({PixelGrid(2, 1), 10, 2}).estimate(one_by_one(draw));
   EXPECT_EQ(image[0], 0);
@@ -80,8 +81,9 @@ TEST(FixedStageWeights, WeighStagesByTheirBudgets) {
 }
 
 TEST(CrossedHalves, SizeEachOther) {
-  // The first half's samples, from number 0 on, vary in pixel 1, the second's, from 12 on, in pixel 0. Pilots of two
-  // in each; then the first half goes on in pixel 0 alone, at 1, and the second in pixel 1 alone, at 7.
+  // The first half starts at sample 0, and varies in pixel 1; the second starts at sample 12, and
+  // varies in pixel 0. Each has a pilot of two per pixel. Then the first half draws 1s in pixel 0
+  // only, and the second draws 7s in pixel 1 only.
   const auto draw = [](std::size_t pixel, std::uint64_t sample) {
     if (sample < 2) return pixel == 1 && sample == 1 ? 4.0 : 0.0;
     if (sample == 12 || sample == 13) return pixel == 0 && sample == 13 ? 8.0 : 0.0;

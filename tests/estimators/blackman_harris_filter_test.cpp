@@ -16,14 +16,14 @@ static_assert(Sampler<BlackmanHarrisFilter<double>>);
 
 constexpr auto window = []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); };
 
-// The window as Harris writes it, over its integral.
+// The window in Harris's form, divided by its integral.
 double harris(double x, double radius) {
   const double t = M_PI * x / radius;
   return (0.35875 + 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) + 0.01168 * std::cos(3 * t)) /
          (2 * 0.35875 * radius);
 }
 
-// Its distribution function.
+// The CDF of the window.
 double below(double x, double radius) {
   const double t = M_PI * x / radius;
   return 0.5 +
@@ -34,7 +34,7 @@ double below(double x, double radius) {
 TEST(BlackmanHarrisFilter, IsOneOverTheWindowsMeanAtTheCentre) {
   const BlackmanHarrisFilter<double> filter(1);
   EXPECT_NEAR(filter.pdf({0, 0}).value(), std::pow(1 / (2 * 0.35875), 2), 1e-14);
-  // At half the radius cos(t) = 0, cos(2t) = -1, cos(3t) = 0: (0.35875 - 0.14128) / (2 0.35875).
+  // At half the radius cos(t) = 0, cos(2t) = -1 and cos(3t) = 0: (0.35875 - 0.14128) / (2 0.35875).
   EXPECT_NEAR(filter.pdf({0.5, 0}).value(), 0.21747 / (2 * 0.35875) / (2 * 0.35875), 1e-14);
   EXPECT_EQ(filter.pdf({1.001, 0}).value(), 0);
   EXPECT_EQ(filter.pdf({0, -1.001}).value(), 0);
@@ -48,7 +48,7 @@ RC_GTEST_PROP(BlackmanHarrisFilter, IsTheWindow, ()) {
             1e-14 / (radius * radius));
 }
 
-// To 4 ulp of 1, for numbers everywhere and for small ones, down to 2^-53.
+// To 4 ulp of 1, for numbers from all of [0,1) and for small ones down to 2^-53.
 RC_GTEST_PROP(BlackmanHarrisFilter, InvertsItsDistributionFunctionToTheRounding, ()) {
   const double scale = std::pow(2.0, -*rc::gen::inRange(0, 53));
   const double u = scale * *testing::unit_number();

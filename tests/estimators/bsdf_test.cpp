@@ -11,7 +11,7 @@
 #include <fairlight/estimators/lambertian.h>
 #include <fairlight/estimators/mixture.h>
 
-// What all surfaces must do, in double, float and packets: at edge numbers, and from normal to grazing at 1e-6.
+// Tests for all surfaces, in double, float and packets: at edge numbers, and for z from 1 to 1e-6.
 namespace fairlight {
 namespace {
 
@@ -24,7 +24,7 @@ Rgb<Real> colour(double red, double green, double blue) {
   return {rounded<Real>(red), rounded<Real>(green), rounded<Real>(blue)};
 }
 
-// 0 too, and what is less than 1.
+// Includes 0 and exponents below 1.
 rc::Gen<double> exponent() { return rc::gen::oneOf(between(0.01, 1e6), rc::gen::element(0.0, 0.5, 1.0)); }
 
 RC_GTEST_PROP(Bsdf, LambertianIsInOrderAtTheEdges, ()) {
@@ -85,8 +85,8 @@ RC_GTEST_PROP(Bsdf, DielectricIsInOrderAtTheEdges, ()) {
   check_edges_in_all(glass, -out, testing::Below::lit);
 }
 
-// A lobe that is cut off, one that has all directions, and a single direction; either of the first two with a probability
-// of one in 2^20.
+// Mixes a lobe that the surface cuts off, a lobe with all directions, and a single direction. The
+// probability of either of the first two may be 2^-20.
 RC_GTEST_PROP(Bsdf, MixtureIsInOrderAtTheEdges, ()) {
   const double n = *exponent(), alpha = *between(1e-4, 1);
   const double q = *rc::gen::element(0x1p-20, 0.25, 0.5, 1 - 0x1p-20);
@@ -110,14 +110,15 @@ RC_GTEST_PROP(Bsdf, MixtureIsInOrderAtTheEdges, ()) {
 
 const Vec3<double> unit(0.6, 0, 0.8);
 
-// Glossy of exponent 0 reflects (1 + z) / 2.
+// Glossy with exponent 0 reflects (1 + z) / 2.
 TEST(Bsdf, SaysItsAlbedoInAMixtureToo) {
   const Mixture surface(WeightedLobe{Glossy<double>(colour<double>(1, 0.5, 0), 0), 0.5, 0.5},
                         WeightedLobe{Lambertian<double>(colour<double>(0, 1, 1)), 0.5, 0.5});
   EXPECT_TRUE(surface.albedo(unit).isApprox(colour<double>(0.45, 0.725, 0.5), 1e-11));
 }
 
-// What has no law of its own about `out` takes vectors as they are: twice as long is twice as much, and nothing is mended.
+// A surface without a law about `out` does not normalise vectors: a vector of length 2 gives twice
+// the result.
 TEST(Bsdf, DoesNotNormaliseDirections) {
   EXPECT_EQ(Mirror<double>(colour<double>(1, 1, 1)).sample(2 * unit, {}).in, Vec3<double>(-1.2, 0, 1.6));
   const Lambertian<double> diffuse(colour<double>(1, 1, 1));
@@ -145,7 +146,7 @@ TEST(Bsdf, RefusesAnOutThatIsNoUnitVectorWhereALawIsBuiltAboutIt) {
                std::invalid_argument);
 }
 
-// Of any length is an `in` that a density is asked for: the formula as it stands, and no exception.
+// `pdf` and `eval` accept an `in` of any length: they evaluate the formula, and do not throw.
 TEST(Bsdf, TakesAnyIn) {
   const ConstantReflectance<double> white(colour<double>(1, 1, 1));
   for (double length : {0.5, 2.0}) {

@@ -18,7 +18,7 @@ using testing::ScriptedSource;
 
 const std::vector<double> powers{0, 1, 0, 2, 5, 0};
 
-// The weights of `powers`, as a light might give them at a point.
+// Weights like `powers`, given by a function as at a point.
 double power(int i) { return powers[static_cast<std::size_t>(i)]; }
 const ContributionChoice<double, double (*)(int)> by_contribution(6, power);
 const PowerChoice<double> by_power(powers);
@@ -37,7 +37,7 @@ void expect_eighths(const Choice& choice) {
 TEST(PowerChoice, CutsTheUnitIntervalInProportion) { expect_eighths(by_power); }
 TEST(ContributionChoice, CutsTheUnitIntervalInProportion) { expect_eighths(by_contribution); }
 
-// Faint lights are chosen as bright ones are.
+// A common factor of the weights does not change the choice.
 TEST(ContributionChoice, KnowsNoScaleOfItsWeights) {
   for (const int exponent : {-60, 60}) {
     const auto scaled = [exponent](int i) { return std::ldexp(power(i), exponent); };
@@ -79,7 +79,8 @@ TEST(ContributionChoice, RefusesWhatIsNoWeight) {
   EXPECT_THROW((ContributionChoice<double, decltype(negative)>(-1, negative)), std::invalid_argument);
 }
 
-// n weights, of which every third is 0, and the others 1, 2, ..., 7 in turn; all 0 but the last where n is below 3.
+// n weights: every third is 0, the others cycle through 1 .. 7. Below n = 3 all are 0 except the
+// last.
 std::vector<double> weights(int n) {
   std::vector<double> all(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i % 3 == 2 ? 0 : static_cast<double>(i % 7 + 1);
@@ -106,7 +107,7 @@ RC_GTEST_PROP(PowerChoice, IsTheInverseOfTheCumulativeWeights, ()) {
             std::abs((below + all[chosen]) / total - u.x()) < 1e-15);
 }
 
-// In packets the place where one alternative ends and the next begins is exact to 2^-48.
+// In packets the boundary between two alternatives is exact to 2^-48.
 TEST(PowerChoice, ChoosesFinelyInPackets) {
   const std::vector<double> equal(100000, 3.0);
   const auto constant = [](int) { return Packet(3.0f); };
@@ -139,8 +140,8 @@ TEST(PowerChoice, ChoosesLaneByLane) {
   }
 }
 
-// 10^5 lights of 0.1, whose sum in floats alone would be 1 % off. The numbers at which one light ends and the next begins
-// are found by bisection of their 48 bits.
+// 10^5 lights of weight 0.1, whose plain sum in floats has an error of 1 %. Bisection over 48 bits
+// finds the boundaries between lights.
 TEST(ContributionChoice, GivesInFloatsTheProbabilityWithWhichItChooses) {
   constexpr int n = 100'000;
   const auto tenth = [](int) { return 0.1f; };
@@ -163,7 +164,7 @@ TEST(ContributionChoice, GivesInFloatsTheProbabilityWithWhichItChooses) {
   EXPECT_NEAR(1 - begin(n - 1), given, exact);
 }
 
-// A weight that differs from lane to lane, and a light that is black in half of them.
+// A weight that differs between lanes, and a light of weight 0 in half of them.
 TEST(ContributionChoice, ChoosesLaneByLane) {
   std::array<float, lanes<Packet>> places{}, numbers{};
   for (std::size_t i = 0; i < lanes<Packet>; ++i) {
@@ -210,7 +211,8 @@ TEST(LightSampler, DividesTheTermByItsProbability) {
   EXPECT_TRUE(source.exhausted());
 }
 
-// 2 to 4 with probability 1/4, -3 with 3/4; what is never chosen bounds nothing.
+// A value in [2, 4] with probability 1/4, -3 with probability 3/4. An alternative that is never
+// chosen does not affect the bound.
 TEST(LightSampler, LiesWithinTheHullOfTheBoundsOverTheirProbabilities) {
   using One = LightSampler<PowerChoice<double>>;
   const std::vector<Bound> terms{{2, 4}, {-3, -3}, {}};
@@ -232,7 +234,7 @@ TEST(PowerChoice, RefusesWeightsWhoseSumIsNotFinite) {
   EXPECT_THROW(PowerChoice<double>({1e308, 1e308}), std::invalid_argument);
 }
 
-// A density that is negative or not a number is not one that does not exist.
+// A negative or NaN density does not count as "sample does not exist".
 TEST(OverExisting, GivesNothingForADensityOfZeroAndHidesNoOther) {
   using P = Density<Area, double>;
   EXPECT_EQ(safe_divide(3.0, P(0)), 0);

@@ -62,7 +62,8 @@ TEST(Conductor, IsTheSameInPackets) {
   }
 }
 
-// Floats do not hold the fourth power of 1e10. At normal incidence F = ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2).
+// The fourth power of 1e10 overflows in floats. At normal incidence F = ((eta - 1)^2 + k^2) / ((eta
+// + 1)^2 + k^2).
 TEST(Conductor, WantsAnIndexThatFloatsHold) {
   using Colour = Rgb<float>;
   for (float large : {1e5f, 1e6f}) {

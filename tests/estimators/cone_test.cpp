@@ -11,7 +11,7 @@ namespace {
 
 static_assert(Sampler<UniformCone<double>>);
 
-// sin^2 of the half angle from 1e-16 to 1.
+// sin^2 of the half angle is from 1e-16 to 1.
 UniformCone<double> any_cone() {
   return UniformCone<double>::of_sine_squared(std::pow(10.0, -16 * *testing::unit_number()));
 }
@@ -40,8 +40,9 @@ TEST(UniformCone, TakesHeightFromTheFirstNumberAndTurnFromTheSecond) {
   EXPECT_TRUE(cone.sample({0.4, 0.5}).isApprox(Vec3<double>(-0.6, 0, 0.8), 1e-15));
 }
 
-// A cone of 1e-8 rad, where cos(theta_max) is 1 in double: the solid angle is pi theta^2, half of the draws are within
-// theta_max / sqrt(2), and a direction at twice theta_max is outside.
+// A cone of 1e-8 rad, where cos(theta_max) rounds to 1 in double. Its solid angle is pi
+// theta_max^2, half of the draws are within theta_max / sqrt(2), and a direction at 2 theta_max is
+// outside.
 template <class Real>
 void expect_precision_of_a_tiny_cone() {
   using std::abs;

@@ -16,7 +16,7 @@ namespace {
 using testing::NextNumber;
 using testing::ScriptedSource;
 
-// The square of the next number, less twice the number and its mean of a half.
+// The square of the next number. The tests use that number, with mean 1/2, as its control.
 struct Square {
   using Scalar = double;
   double estimate(ScriptedSource& source) const {
@@ -43,7 +43,7 @@ TEST(ControlVariate, WithoutAFactorIsTheEstimator) {
   EXPECT_EQ(ControlVariate(Square{}, NextNumber<double>{}, 0, 0.5).bound(), (Bound{0, 1}));
 }
 
-// An estimator is its own best control: nothing is left but the mean.
+// With itself as the control, an estimator has no variance: every draw is the mean.
 RC_GTEST_PROP(ControlVariate, OfItselfHasNoVariance, ()) {
   const NextNumber<double> number;
   ScriptedSource source({*testing::unit_number()});

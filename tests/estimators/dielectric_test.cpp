@@ -66,7 +66,8 @@ TEST(Dielectric, OfTheIndexOfItsSurroundingsIsNotThere) {
   }
 }
 
-// A bounce is a unit vector on the right side, and its tangents keep Snell's ratio; no number u leads elsewhere.
+// For every u, a bounce is a unit vector on the right side, and its tangential part obeys Snell's
+// law.
 RC_GTEST_PROP(Dielectric, BouncesInTheDomain, ()) {
   Vec3<double> out = *testing::direction_above();
   if (*rc::gen::arbitrary<bool>()) out = -out;
@@ -81,15 +82,16 @@ RC_GTEST_PROP(Dielectric, BouncesInTheDomain, ()) {
   RC_ASSERT((bounce.weight * (eta * eta) - 1).abs().maxCoeff() <= 4 * ulp<double>);
 }
 
-// Out of a refraction the same way back: light takes one path in both directions.
+// Light takes the same path in both directions: a refracted direction refracts back.
 RC_GTEST_PROP(Dielectric, RefractsBackTheWayItCame, ()) {
   const Vec3<double> out = *testing::direction_above();
   const Dielectric<double> surface(1.5);
   const Vec3<double> in = surface.sample(out, Number(1 - 0x1p-53)).in;
-  RC_PRE(out.z() > 1e-9);  // nearer to the surface next to all is reflected
+  RC_PRE(out.z() > 1e-9);  // closer to the surface almost everything is reflected
   RC_ASSERT(in.z() < 0);
   const Vec3<double> back = surface.sample(in, Number(1 - 0x1p-53)).in;
-  // At grazing angles the cosine is the root of a difference: its square is off by a few ulp.
+  // At grazing angles the cosine is the root of a difference, so its square has an error of a few
+  // ulp.
   RC_ASSERT((back - out).head<2>().norm() <= 8 * ulp<double>);
   RC_ASSERT(std::abs(back.z() * back.z() - out.z() * out.z()) <= 16 * ulp<double>);
 }
@@ -116,7 +118,8 @@ TEST(Dielectric, IsTheSameInPackets) {
   }
 }
 
-// Straight on, the square of the refracted cosine is a difference of which 1e-2 is left, to an ulp: half of 1e2 ulp for the length.
+// At normal incidence the square of the refracted cosine is a difference that leaves 1e-2, to an
+// ulp. So its relative error is 1e2 ulp, and that of the length half as much.
 TEST(Dielectric, RefractsToUnitVectorsOverTheWholeRangeOfItsIndex) {
   for (float index : {0.1f, 0.25f, 1.0f, 4.0f, 10.0f}) {
     for (float z : {1.0f, 0.999999f, 0.9999f, -1.0f, -0.999999f, -0.9999f}) {

@@ -25,7 +25,7 @@ EnergyCompensatedConductor<Real> metal(double alpha, const Rgb<double>& colour =
   return EnergyCompensatedConductor<Real>(alpha, ConstantReflectance<Real>(colour.cast<Real>()));
 }
 
-// At alpha = 1 the loss is z log(1 + 1/z), and its mean 1 - 4/3 (1 - log 2).
+// At alpha = 1 the loss is z log(1 + 1/z), and its mean is 1 - 4/3 (1 - log 2).
 TEST(GgxLoss, IsAClosedFormAtRoughnessOne) {
   const GgxLoss loss(1);
   for (double z : {1.0, 0.7, 0.3, 0.1, 0.01, 1e-4}) {
@@ -38,7 +38,7 @@ TEST(GgxLoss, IsAClosedFormAtRoughnessOne) {
 
 TEST(GgxLoss, IsNothingAtTheHorizon) { EXPECT_LE(GgxLoss(0.5)(0.0), 1e-6); }
 
-// Far from grazing angles a smooth surface loses alpha^2 (1 + z^2) / (2 z^2).
+// Far from grazing angles, the loss of a smooth surface is alpha^2 (1 + z^2) / (2 z^2).
 TEST(GgxLoss, FallsWithTheSquareOfTheRoughness) {
   EXPECT_NEAR(ggx_loss(1e-3, 1) / 1e-6, 1, 2e-3);
   EXPECT_NEAR(ggx_loss(1e-3, 0.5) / 2.5e-6, 1, 2e-3);
@@ -49,12 +49,13 @@ RC_GTEST_PROP(GgxLoss, FitsTheQuadrature, ()) {
   const GgxLoss loss(alpha);
   for (double z : {(*direction_above()).z(), (*direction_above()).z(), *unit_number()}) {
     RC_ASSERT(loss(z) >= 0 && loss(z) < 0.7);
-    if (z < 1e-10) continue;  // where the quadrature has no value
+    if (z < 1e-10) continue;  // the quadrature has no value there
     RC_ASSERT(std::abs(loss(z) - ggx_loss(alpha, z)) <= 1e-5);
   }
 }
 
-// All that E lacks, 0.69 of the mean of 0.59, in all directions: f_ms = log(2)^2 / (pi Eavg's lack).
+// At alpha = 1 and z = 1 the loss is log 2 = 0.69, and its mean is 0.59: f_ms = log(2)^2 / (pi
+// 0.59).
 TEST(EnergyCompensatedConductor, AddsWhatASingleReflectionLoses) {
   const Rgb<double> white = Rgb<double>::Constant(1);
   const double once = 1 / (4 * M_PI);
@@ -65,11 +66,12 @@ TEST(EnergyCompensatedConductor, AddsWhatASingleReflectionLoses) {
 TEST(EnergyCompensatedConductor, AddsLittleToADarkMetal) {
   const RoughConductor<double> once(Ggx<double>(0.5, 0.5), ConstantReflectance<double>(gold));
   const Rgb<double> added = metal(0.5).eval(up, up) - once.eval(up, up);
-  EXPECT_LT(added[2], added[0] / 16);  // F^2 = 1/16, and less
+  EXPECT_LT(added[2], added[0] / 16);  // the blue F^2 is at most 1/16
   EXPECT_GT(added[2], 0);
 }
 
-// White facets give back all the light, grey ones F E + C (1 - E) at alpha = 1, where both are closed forms.
+// White facets return all light. Coloured ones return F E + C (1 - E), which has a closed form at
+// alpha = 1.
 TEST(EnergyCompensatedConductor, ReflectsWhatItsFacetsDoNotAbsorb) {
   const double once = 1 - 0.6 * std::log1p(1 / 0.6);
   const double leaving = 4.0 / 3 * (1 - M_LN2);

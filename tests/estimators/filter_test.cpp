@@ -56,17 +56,17 @@ TEST(TentFilter, IsOneAtTheCentreAndZeroAtTheNeighbours) {
 }
 
 TEST(TentFilter, InvertsItsDistributionFunction) {
-  // P(X <= x) is (1 + x)^2 / 2 left of the centre and 1 - (1 - x)^2 / 2 right of it.
+  // P(X <= x) is (1 + x)^2 / 2 left of the centre, and 1 - (1 - x)^2 / 2 right of it.
   const Vec2<double> quarters = TentFilter<double>().sample({0.125, 0.875});
   EXPECT_DOUBLE_EQ(quarters.x(), -0.5);
   EXPECT_DOUBLE_EQ(quarters.y(), 0.5);
-  // The middles of the first two steps of 2^-53: x of (1 + x)^2 = 2^-53 and 3 2^-53.
+  // The middles of the first two steps of 2^-53: (1 + x)^2 = 2^-53 and 3 2^-53.
   const Vec2<double> first = TentFilter<double>().sample({0, std::ldexp(1, -53)});
   EXPECT_DOUBLE_EQ(first.x(), std::sqrt(std::ldexp(1, -53)) - 1);
   EXPECT_DOUBLE_EQ(first.y(), std::sqrt(std::ldexp(3, -53)) - 1);
 }
 
-// What divides by the density of a draw relies on it.
+// Code that divides by the density of a draw needs this.
 TEST(TentFilter, HasADensityWhereverADrawFalls) {
   const auto expect_density = [](const auto& tent, const auto& u) {
     const auto x = tent.sample(u);
@@ -86,7 +86,8 @@ RC_GTEST_PROP(TentFilter, HasTheJacobianOneOverItsDensity, ()) {
   RC_ASSERT(std::abs(wide.prod() * tent.pdf(tent.sample(u)).value() - 1) < 1e-5);
 }
 
-// 1 / (4 r^2) at both ends of the range, and no filter beyond: floats do not hold the square of 1e-30.
+// The density is 1 / (4 r^2) at both ends of the range. Beyond it the filter throws: 1e-30 squared
+// underflows in floats.
 TEST(BoxFilter, RefusesARadiusThatFloatsDoNotHold) {
   EXPECT_NEAR(static_cast<double>(BoxFilter<float>(1e-6f).pdf({0, 0}).value()) / 2.5e11, 1, 1e-6);
   EXPECT_NEAR(static_cast<double>(BoxFilter<float>(1e6f).pdf({0, 0}).value()) / 2.5e-13, 1, 1e-6);

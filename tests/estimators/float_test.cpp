@@ -7,7 +7,8 @@
 #include <fairlight/estimators/lambertian.h>
 #include <fairlight/estimators/uniform_sphere_area.h>
 
-// The samplers in single precision: finite and in their domain at the edges of the square, 0 and 1 - 2^-24 among them.
+// The samplers in single precision: finite, and in their domain, at the edges of the square,
+// including 0 and 1 - 2^-24.
 namespace fairlight {
 namespace {
 

@@ -19,7 +19,7 @@ using testing::index_of_refraction;
 using testing::lanes_of;
 constexpr double ulp1 = ulp<double>;
 
-// The textbook's form, which cancels, in 34 decimal digits.
+// The textbook form, which cancels, evaluated with 34 decimal digits.
 double textbook(double cosine, double eta) {
   if (eta == 1) return 0;
   using Wide = boost::multiprecision::cpp_bin_float_quad;
@@ -36,11 +36,11 @@ double textbook(double cosine, double eta) {
 TEST(FresnelDielectric, IsKnownByHandAtNormalIncidence) {
   EXPECT_DOUBLE_EQ(fresnel_dielectric(1.0, 1.5), 0.04);        // (0.5 / 2.5)^2
   EXPECT_DOUBLE_EQ(fresnel_dielectric(1.0, 3.0), 0.25);        // (2 / 4)^2
-  EXPECT_DOUBLE_EQ(fresnel_dielectric(1.0, 1.0 / 3.0), 0.25);  // from both sides alike
+  EXPECT_DOUBLE_EQ(fresnel_dielectric(1.0, 1.0 / 3.0), 0.25);  // the same from both sides
 }
 
-// At Brewster's angle, tan i = n, nothing is reflected of the light polarised along the plane of incidence, and
-// sin(i - t) = (n^2 - 1) / (n^2 + 1) of the amplitude across, as i + t is a right angle.
+// At Brewster's angle, tan i = n, light polarised in the plane of incidence is not reflected. The
+// perpendicular amplitude is sin(i - t) = (n^2 - 1) / (n^2 + 1), as i + t is a right angle.
 TEST(FresnelDielectric, LosesOnePolarisationAtBrewstersAngle) {
   const double cosine = 1 / std::sqrt(1 + 1.5 * 1.5);
   EXPECT_NEAR(fresnel_dielectric(cosine, 1.5), std::pow(1.25 / 3.25, 2) / 2, 1e-16);
@@ -59,8 +59,9 @@ TEST(FresnelDielectric, ReflectsAllAtTheHorizonAndNothingWhereNothingIs) {
   for (float cosine : {0.0f, 1e-30f, 1e-6f, 0.5f, 1.0f}) EXPECT_EQ(fresnel_dielectric(cosine, 1.0f), 0) << cosine;
 }
 
-// The refracted cosine is the root of eta^2 - 1 + c^2. When eta < 1 that is a difference, and a rounding of the
-// arguments alone moves g by ulp c^2 / g, and F, whose logarithm has the slope 4 / (c + g), accordingly.
+// The refracted cosine is the root of eta^2 - 1 + c^2, which is a difference if eta < 1. Rounding
+// the arguments alone then changes g by ulp c^2 / g. The logarithm of F has the slope 4 / (c + g)
+// in g, so F changes accordingly.
 RC_GTEST_PROP(FresnelDielectric, LosesNothingToCancellation, ()) {
   const double cosine = *cosine_to_grazing();
   const double eta = *index_of_refraction();
@@ -75,13 +76,13 @@ RC_GTEST_PROP(FresnelDielectric, IsTheSameFromBothSides, ()) {
   const double index = *index_of_refraction();
   const double eta = std::max(index, 1 / index);
   const double g = std::sqrt(detail::refracted_square(cosine, eta));
-  // As above, with the rounding of 1 / eta and of the refracted cosine besides.
+  // As above, plus the rounding of 1 / eta and of the refracted cosine.
   const double conditioning = eta > 1 ? 4 * (1 + g * g) / (cosine * (cosine + g)) + 2 * eta / (eta - 1) : 0;
   const double out = fresnel_dielectric(cosine, eta);
   RC_ASSERT(std::abs(fresnel_dielectric(g / eta, 1 / eta) - out) <= 16 * ulp1 * out * (1 + conditioning));
 }
 
-// Near grazing and critical angles it is the angles that are known less well than their cosines.
+// Avoids grazing and critical angles, where the angles are less accurate than their cosines.
 RC_GTEST_PROP(FresnelDielectric, IsTheAnglesForm, ()) {
   const double cosine = *testing::between(0.01, 1);
   const double eta = *rc::gen::arbitrary<bool>() ? *testing::between(1.01, 3) : 1 / *testing::between(1.01, 3);
@@ -115,11 +116,11 @@ void expect_in_packets(double exact, const Packet& value) {
   for (double lane : lanes_of(value)) EXPECT_NEAR(lane, exact, 1e-6);
 }
 
-// What rounding may do to a cosine is taken as it is.
+// A cosine may leave [0,1] by rounding.
 template <class Real>
 void expect_defined_in_its_domain_only() {
   const Real rounding(256 * ulp<Real>);
-  for (const Real edge : {Real(0), Real(1)}) {  // the slopes there are below 16
+  for (const Real edge : {Real(0), Real(1)}) {  // the slope there is below 16
     const Real beyond = edge + (2 * edge - 1) * rounding;
     const auto differs = [&](const auto& f) { return std::abs(f(beyond) - f(edge)) / rounding; };
     EXPECT_LE(differs([](Real c) { return fresnel_dielectric(c, Real(1.5)); }), 16) << edge;

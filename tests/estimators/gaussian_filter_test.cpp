@@ -26,7 +26,7 @@ constexpr auto flat = []<class Real>(std::type_identity<Real>) {
 };
 
 TEST(GaussianFilter, IsTheGaussianOverWhatIsKeptOfIt) {
-  // Three deviations keep erf(3/sqrt 2) = 0.99730020393674 along each axis.
+  // Truncation at three deviations keeps erf(3/sqrt 2) = 0.99730020393674 along each axis.
   const GaussianFilter<double> filter(0.5, 1.5);
   const double centre = 1 / (2 * M_PI * 0.25 * 0.99730020393674 * 0.99730020393674);
   EXPECT_NEAR(filter.pdf({0, 0}).value(), centre, 1e-13);
@@ -37,7 +37,8 @@ TEST(GaussianFilter, IsTheGaussianOverWhatIsKeptOfIt) {
 }
 
 TEST(GaussianFilter, HasItsQuantilesWhereTheNormalDistributionHasThem) {
-  // Half of what five deviations keep lies within 0.67448975 of them (0.67448975019608, less the part cut off).
+  // Half of the mass within five deviations is within 0.67448975 deviations (0.67448975019608
+  // without truncation).
   const GaussianFilter<double> filter(2, 10);
   EXPECT_EQ(filter.sample({0.5, 0.5}), Vec2<double>(0, 0));
   EXPECT_NEAR(filter.sample({0.75, 0.25}).x(), 2 * 0.67448975019608, 2e-6);
@@ -45,7 +46,7 @@ TEST(GaussianFilter, HasItsQuantilesWhereTheNormalDistributionHasThem) {
   EXPECT_EQ(filter.sample({0, 0}), Vec2<double>(-10, -10));
 }
 
-// To 8 ulp of the offset, however small; the inverse of Boost is an independent one.
+// To 8 ulp of the offset, however small. Boost's inverse is the independent reference.
 RC_GTEST_PROP(GaussianFilter, InvertsItsDistributionFunctionToTheRounding, ()) {
   const double edge = std::exp(std::log(1e-3) + (std::log(5) - std::log(1e-3)) * *testing::unit_number());
   const double u = *testing::unit_number();

@@ -8,10 +8,11 @@
 namespace fairlight {
 namespace {
 
-// How near the quadrature is said to be, and what floats add to that (estimators/ggx_albedo.h).
+// The stated accuracy of the quadrature, and the additional error of floats
+// (estimators/ggx_albedo.h).
 constexpr double stated = 2e-6, by_floats = 1e-6;
 
-/// What facets without colour and absorption reflect: the same in all lanes.
+/// The albedo of white facets, which is the same in all lanes.
 template <class Real>
 double white(double alpha_x, double alpha_y, const Vec3<double>& out) {
   const auto one = [](const Real&) { return Real(1); };
@@ -31,7 +32,7 @@ class GgxAlbedoIn : public ::testing::Test {
 using Arithmetics = ::testing::Types<double, Packet>;
 TYPED_TEST_SUITE(GgxAlbedoIn, Arithmetics);
 
-// Along both axes, in whose planes the light's turn is cut, and between them.
+// Along both axes, where the integral over azimuths is split, and between them.
 TYPED_TEST(GgxAlbedoIn, OfOneRoughnessIsTheSameAllRound) {
   const double ahead = white<TypeParam>(0.5, 0.5, {0.6, 0, 0.8});
   EXPECT_NEAR(white<TypeParam>(0.5, 0.5, {0, 0.6, 0.8}), ahead, this->apart);
@@ -48,7 +49,7 @@ TYPED_TEST(GgxAlbedoIn, OfSmoothFacetsIsOne) {
   EXPECT_NEAR(white<TypeParam>(1e-3, 1e-3, {0, 0.6, 0.8}), 1, this->apart);
 }
 
-// Where k^2 hides z^2 slope^2 from floats.
+// In floats, z^2 slope^2 is lost in the rounding of k^2 here.
 TEST(GgxAlbedo, KeepsItsDigitsNearTheHorizon) {
   const double z = 1e-4, x = std::sqrt((1 - z) * (1 + z));
   for (const Vec3<double>& out : {Vec3<double>(x, 0, z), Vec3<double>(0.6 * x, 0.8 * x, z)}) {

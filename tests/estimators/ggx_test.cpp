@@ -64,7 +64,7 @@ TEST(GgxVisibleNormals, DoesNotSeeFacetsThatTurnAway) {
   EXPECT_EQ(normals.pdf({0.8, 0, -0.6}).value(), 0);
 }
 
-// Halfway between out and the top of the cap, at u_x = 0; at alpha = 1 nothing is stretched.
+// u_x = 0 gives the half vector of `out` and the top of the cap. At alpha = 1 nothing is stretched.
 TEST(GgxVisibleNormals, BeginsAtTheTopOfTheCap) {
   const GgxVisibleNormals<double> normals(Ggx<double>(1, 1), {0.6, 0, 0.8});
   const Vec3<double> halfway = Vec3<double>(0.6, 0, 1.8).normalized();
@@ -86,7 +86,7 @@ void expect_in_domain(const GgxVisibleNormals<Real>& normals, const Vec2<Real>& 
   RC_ASSERT(std::isfinite(normals.reflected_pdf(m).value()) && normals.reflected_pdf(m).value() > 0);
 }
 
-// Of unequal roughness, seen from anywhere, at any point of the square, its edges too.
+// For anisotropic roughness, any direction and any point of the square, including its edges.
 RC_GTEST_PROP(GgxVisibleNormals, GivesUnitNormalsAboveTheSurface, ()) {
   const Ggx<double> facets(*roughness(), *roughness());
   const GgxVisibleNormals<double> normals(facets, *direction_above());
@@ -101,7 +101,7 @@ RC_GTEST_PROP(GgxVisibleNormals, GivesUnitNormalsAboveTheSurfaceInFloats, ()) {
   for (const Vec2<float>& u : testing::edge_points_float()) expect_in_domain(normals, u);
 }
 
-// Where the point of the cap is nearly opposite, and their sum is 1e-4 long.
+// The point of the cap is nearly opposite to w, and their sum has the length 1e-4.
 TEST(GgxVisibleNormals, KeepsItsDigitsInFloatsWhereTheSumCancels) {
   const Vec3<float> out(0.8f, 0, 0.6f);
   const GgxVisibleNormals<float> floats(Ggx<float>(0.5f, 0.25f), out);
@@ -111,8 +111,8 @@ TEST(GgxVisibleNormals, KeepsItsDigitsInFloatsWhereTheSumCancels) {
   EXPECT_LE((floats.sample(u).cast<double>() - exact).norm(), 1e-6) << exact.transpose();
 }
 
-// What rounding moves m by, some 1e-16, moves the unstretched normal by that over the roughness, and the turn by that
-// over its distance from the top of the cap.
+// Rounding changes m by about 1e-16. This changes the unstretched normal by 1e-16 over the
+// roughness, and the turn by that over its distance from the top of the cap.
 RC_GTEST_PROP(GgxVisibleNormals, InvertsItsSamples, ()) {
   const double alpha_x = *roughness(), alpha_y = *roughness();
   const GgxVisibleNormals<double> normals(Ggx<double>(alpha_x, alpha_y), *direction_above());
@@ -121,8 +121,8 @@ RC_GTEST_PROP(GgxVisibleNormals, InvertsItsSamples, ()) {
   RC_ASSERT((back - u).norm() <= 1e-10);
 }
 
-// At the edges the turn is lost where the normal is the top of the cap, or the bottom, and 0 and 1 are one: what counts
-// is how far apart the points of the cap are.
+// At the edges the turn is undefined if the normal is the top or the bottom of the cap, and turns 0
+// and 1 are the same. So the test compares the points of the cap.
 template <class Real>
 void expect_inverse_at_the_edges(const Vec3<Real>& out, Real alpha, const Vec2<Real>& u) {
   const GgxVisibleNormals<Real> normals({alpha, alpha}, out);

@@ -18,7 +18,7 @@ static_assert(Bsdf<Glossy<Packet>>);
 
 const Rgb<double> albedo(0.75, 0.5, 0.25);
 
-// Towards the viewer at any height, down to 1e-9 above the surface.
+// A direction to the viewer, with z from 1 down to 1e-9.
 Vec3<double> any_out() {
   const double z = std::pow(10.0, -9 * *testing::unit_number());
   const double phi = 2 * M_PI * *testing::unit_number();
@@ -46,7 +46,8 @@ TEST(Glossy, IsBlackBelowTheSurface) {
   EXPECT_TRUE((surface.eval({0.6, 0, -0.8}, {-0.6, 0, 0.8}) == 0).all());
 }
 
-// cos(alpha)^3 = 0.008 on the side away from the normal: below a surface that is seen at 70 degrees.
+// cos(alpha)^3 = 0.008 on the side away from the normal: below the surface, as the viewer is at 70
+// degrees.
 TEST(Glossy, AbsorbsWhatItDrawsBelowTheSurface) {
   const Vec3<double> out(std::sin(1.2), 0, std::cos(1.2));
   for (double turn : {0.0, 0.25, 0.5, 0.75}) {
@@ -63,7 +64,8 @@ TEST(Glossy, ReflectsItsAlbedoOfWhatComesStraightOn) {
   EXPECT_TRUE((Glossy<double>(albedo, 5).albedo({0.6, 0, -0.8}) == 0).all());
 }
 
-// n = 0: the part of a hemisphere above the surface, (1 + z) / 2. n = 1: z (1 - theta / pi + sin(2 theta) / (2 pi)) + sin^3 / pi.
+// n = 0: the part of the hemisphere above the surface, (1 + z) / 2. n = 1: z (1 - theta / pi +
+// sin(2 theta) / (2 pi)) + sin^3(theta) / pi.
 TEST(Glossy, ReflectsLessFromTheSide) {
   EXPECT_TRUE(Glossy<double>(albedo, 0).albedo({0.6, 0, 0.8}).isApprox(albedo * 0.9, 1e-11));
   const double theta = std::asin(0.6);
@@ -109,7 +111,8 @@ RC_GTEST_PROP(Glossy, WeighsABounceByItsIntegrandOverItsDensity, ()) {
   }
 }
 
-// By the lobe the weight is albedo (n + 2) / (n + 1) cos(in), for any exponent and from any angle.
+// Sampled by the lobe, a bounce weighs albedo (n + 2) / (n + 1) cos(in), for any exponent and
+// angle.
 RC_GTEST_PROP(Glossy, WeighsALobesBounceByTheCosine, ()) {
   const double exponent = any_exponent();
   const auto bounce = Glossy<double>(albedo, exponent).sample(any_out(), *testing::unit_point());

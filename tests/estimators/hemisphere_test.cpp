@@ -78,7 +78,7 @@ TEST(CosineHemisphere, IsTheSameInPackets) {
   testing::expect_inverses_in_the_square(CosineHemisphere<Packet>());
 }
 
-// The numbers that give a direction can be read off it: the height, or its square, and the turn.
+// The height (or its square) and the azimuth of a direction give back its random numbers.
 TEST(UniformHemisphere, IsInvertedByReadingItsHeightAndTurn) {
   EXPECT_TRUE(UniformHemisphere<double>().invert({0, 0.8, 0.6}).isApprox(Vec2<double>(0.6, 0.25), 1e-15));
 }

@@ -8,7 +8,8 @@
 namespace fairlight::detail {
 namespace {
 
-// Of x^2 - 2 from x it leads to x (x^2 + 6) / (3 x^2 + 2): from 3/2 to 99/70, which is 7e-5 above the root.
+// For x^2 - 2 a step leads from x to x (x^2 + 6) / (3 x^2 + 2): from 3/2 to 99/70, which is 7e-5
+// above the root.
 TEST(HalleyStep, OfASquareRoot) {
   EXPECT_DOUBLE_EQ(halley_step(1.5, 0.25, 3.0, 2.0, 1.0, 2.0), 99.0 / 70);
   EXPECT_DOUBLE_EQ(halley_step(1.0, -1.0, 2.0, 2.0, 0.0, 2.0), 7.0 / 5);
@@ -19,7 +20,8 @@ TEST(HalleyStep, GoesHalfWayToAnEndThatItWouldPass) {
   EXPECT_DOUBLE_EQ(halley_step(1.0, -1.0, 2.0, 2.0, 0.0, 1.2), 1.1);
 }
 
-// To the 4e-7 of its source, on both sides of where its two polynomials meet, and out to q = 1e-7.
+// To the 4e-7 of the source, on both sides of the switch between the polynomials, and up to q =
+// 1e-7.
 RC_GTEST_PROP(RoughInverseErf, IsRightToSixDigits, ()) {
   const double y = *rc::gen::inRange(1, 3766) * 1e-3;
   RC_ASSERT(std::abs(rough_inverse_erf(std::erf(y), std::erfc(y)) / y - 1) < 5e-7);

@@ -73,7 +73,7 @@ TEST(Lambertian, WantsAnAlbedoInZeroToOne) {
   }
 }
 
-// Nothing is normalised: a direction twice as long has twice the density, as the formula says.
+// Vectors are not normalised: a vector of length 2 has twice the density, as in the formula.
 TEST(Lambertian, TakesDirectionsAsTheyAre) {
   EXPECT_DOUBLE_EQ(Lambertian<double>(albedo).pdf(up, {0, 0, 2}).value(), 2 / M_PI);
 }

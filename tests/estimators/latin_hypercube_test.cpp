@@ -10,7 +10,7 @@
 namespace fairlight {
 namespace {
 
-// Up to the last digit: a stratum may begin between two numbers.
+// Allows for one step of the grid of numbers, as a stratum may begin between two numbers.
 RC_GTEST_PROP(LatinHypercube, HasOnePointInEachStratumOfEveryDimension,
               (std::uint64_t seed, std::uint32_t replicate)) {
   const std::uint32_t n = *rc::gen::inRange<std::uint32_t>(1, 500);

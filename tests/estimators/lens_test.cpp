@@ -78,7 +78,7 @@ TEST(Aperture, IsTheSameInPackets) {
   testing::expect_packets_like_double(heptagon, 0.3, 2e-6, 1e-6);
 }
 
-// Numbers near 1, where a point is near the rim, in floats, where rounding is coarse.
+// Includes numbers near 1, whose points are near the rim, in floats, whose rounding is coarse.
 RC_GTEST_PROP(Aperture, KeepsItsPointsInsideInFloats, ()) {
   const auto radius = static_cast<float>(std::exp(std::log(1e-3) + std::log(1e8) * *testing::unit_number()));
   const auto turn = static_cast<float>(-4 + 8 * *testing::unit_number());
@@ -151,7 +151,8 @@ TEST(ThinLens, SendsParallelRaysWhenFocusedAtInfinity) {
   EXPECT_EQ(lens.ray({0.5, 0.25, 1}, {0.3, 0.9}).direction, Vec3<double>(0.5, 0.25, 1));
 }
 
-// A point P at distance d, seen through the point l of the lens, is seen in the pinhole's direction P/d + l (1/f - 1/d).
+// A point P at distance d, seen through the lens point l, appears in the pinhole's direction P/d +
+// l (1/f - 1/d).
 RC_GTEST_PROP(ThinLens, SpreadsAPointOverTheCircleOfConfusion, ()) {
   const auto length = [] { return std::exp(std::log(1e-3) + std::log(1e8) * *testing::unit_number()); };
   const double focus = length();

@@ -8,7 +8,7 @@
 #include <fairlight/estimators/rectangle_light.h>
 #include <fairlight/estimators/sphere_sampling.h>
 
-// Lights from 1e-3 to 1e5, nearer and farther, in every arithmetic.
+// Lights of sizes from 1e-3 to 1e5, at many distances, in every arithmetic.
 namespace fairlight {
 namespace {
 
@@ -28,7 +28,7 @@ Vec3<double> in_double(const Vec3<Real>& v) {
   return {in_double(v.x()), in_double(v.y()), in_double(v.z())};
 }
 
-// A number that Real has.
+// Rounds to the nearest number of Real.
 template <class Real>
 double nearest(double x) {
   return in_double(rounded<Real>(x));
@@ -39,7 +39,7 @@ Vec3<Real> vector(const Vec3<double>& v) {
   return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
 }
 
-// A point of the square, among them those at its edges.
+// A point of the square; edges are likely.
 template <class Real>
 Vec2<Real> any_point() {
   const auto number = [] {
@@ -63,7 +63,7 @@ Sample sample(const Light& light, const Vec3<double>& from, const Vec2<Real>& u)
           in_double(light.pdf(vector<Real>(from), drawn.direction).value())};
 }
 
-// A sphere about the origin, and a point outside, inside or at its surface.
+// A sphere about the origin, and a point outside, inside or on its surface.
 struct SpherePlace {
   double radius;
   Vec3<double> from;
@@ -85,7 +85,7 @@ SphereLight<Real> light_of(const SpherePlace& place) {
   return {vector<Real>({0, 0, 0}), rounded<Real>(place.radius), Mask<Real>(place.on_surface)};
 }
 
-// The point is as far off as the place that it is seen from and the direction are: by some ulp of their sizes.
+// The hit point has the error of the point of view and of the direction: a few ulp of their sizes.
 template <class Real>
 void assert_on_sphere(const SpherePlace& place, const Sample& s) {
   RC_ASSERT(s.density >= 0 && std::isfinite(s.density));
@@ -112,8 +112,9 @@ TYPED_TEST(LightsOfAnySize, ASphereIsMetAtTheDistanceThatIsGiven) {
   }));
 }
 
-// The directions are as far off as rounding makes them, e = 8 ulp; at the sphere that is e d, and where the ray meets it at a
-// cosine of 0.1 or more, 100 e d / r of the cosine and 20 e d / t of the square of the distance t.
+// Rounding gives directions an error e = 8 ulp, which is e d at the sphere. If the ray hits it at a
+// cosine of 0.1 or more, the cosine has an error of 100 e d / r, and the square of the distance t
+// one of 20 e d / t.
 TYPED_TEST(LightsOfAnySize, ASphereByAreaHasTheDensityOfItsSamples) {
   EXPECT_TRUE(rc::check([] {
     using Real = TypeParam;
@@ -133,7 +134,8 @@ TYPED_TEST(LightsOfAnySize, ASphereByAreaHasTheDensityOfItsSamples) {
   }));
 }
 
-// The edge of the cone, at an angle of r / d or more, is known to the same e; drop goes as the square of the angle.
+// The edge of the cone, at an angle of at least r / d, has the same error e. `drop` grows as the
+// square of the angle.
 TYPED_TEST(LightsOfAnySize, ASphereByConeHasTheDensityOfItsSamples) {
   EXPECT_TRUE(rc::check([] {
     using Real = TypeParam;
@@ -145,8 +147,9 @@ TYPED_TEST(LightsOfAnySize, ASphereByConeHasTheDensityOfItsSamples) {
   }));
 }
 
-// A point is where it is to 4 ulp of its distance d from the centre, its height above the surface too. At cos(a) = c, c^2 =
-// 1 - r^2/d^2, that is 4 ulp / c of the cone; but c itself is no better known than to the root of 8 ulp.
+// A point, and so its height above the surface, has an error of 4 ulp of its distance d from the
+// centre. With c = cos(a), c^2 = 1 - r^2/d^2, that is a relative error of 4 ulp / c of the cone.
+// But the error of c itself is at least the root of 8 ulp.
 TYPED_TEST(LightsOfAnySize, TheConeOfASphereIsThatOfDouble) {
   EXPECT_TRUE(rc::check([] {
     using Real = TypeParam;
@@ -162,7 +165,7 @@ TYPED_TEST(LightsOfAnySize, TheConeOfASphereIsThatOfDouble) {
   }));
 }
 
-// A rectangle parallel to the plane z = 0, to any side of the origin.
+// A rectangle parallel to the plane z = 0, on any side of the origin.
 struct RectanglePlace {
   Vec3<double> corner;
   double width, height;
@@ -207,7 +210,8 @@ TYPED_TEST(LightsOfAnySize, ARectangleIsMetAtTheDistanceThatIsGiven) {
   }));
 }
 
-// Nothing cancels, however far off or grazed the rectangle is: each of some thirty operations adds about an ulp.
+// Nothing cancels, even for a distant rectangle or a grazing view: each of about thirty operations
+// adds about an ulp.
 TYPED_TEST(LightsOfAnySize, TheSolidAngleOfARectangleIsThatOfDouble) {
   EXPECT_TRUE(rc::check([] {
     using Real = TypeParam;
@@ -220,7 +224,8 @@ TYPED_TEST(LightsOfAnySize, TheSolidAngleOfARectangleIsThatOfDouble) {
   }));
 }
 
-// Where the point is farther inside than rounding takes it, e = 16 ulp of its size, and the plane is not within it.
+// Applies where the hit is inside by more than its rounding error, e = 16 ulp of its size, and the
+// plane is farther away than that.
 TYPED_TEST(LightsOfAnySize, ARectangleHasTheDensityOfItsSamples) {
   EXPECT_TRUE(rc::check([] {
     using Real = TypeParam;

@@ -13,7 +13,7 @@ static_assert(Sampler<PowerCosineLobe<double>>);
 
 const Vec3<double> tilted(2.0 / 3, -1.0 / 3, 2.0 / 3);
 
-// Exponents from 0.001 to 1e6, as many small as large.
+// Exponents from 0.001 to 1e6, log-uniform.
 double any_exponent() { return std::pow(10.0, -3 + 9 * *testing::unit_number()); }
 
 TEST(PowerCosineLobe, HasTheDensityOfACosineToThePower) {
@@ -60,8 +60,8 @@ TEST(PowerCosineLobe, GivesUnitVectorsInItsSupportAtTheEdgesOfTheSquare) {
   expect_edges<Packet>();
 }
 
-// Below exponent 1 the outermost draws may be beyond 90 degrees by rounding; their density is then 0, and never not
-// a number.
+// For exponents below 1, rounding may move the outermost draws beyond 90 degrees. Their density is
+// then 0, and never NaN.
 TEST(PowerCosineLobe, IsFiniteAtTheEdgesForSmallExponents) {
   for (float exponent : {0.0f, 1e-3f, 0.5f}) {
     for (const Vec2<float>& u : testing::edge_points<float>()) {
@@ -77,13 +77,13 @@ RC_GTEST_PROP(PowerCosineLobe, HasTheJacobianOneOverItsDensity, ()) {
   testing::check_jacobian(PowerCosineLobe<double>(tilted, any_exponent()));
 }
 
-// A direction is known to some ulp, which are many of an angle of 1/sqrt(n).
+// A direction has an error of a few ulp, which is large relative to a lobe's angle of 1/sqrt(n).
 RC_GTEST_PROP(PowerCosineLobe, IsInvertedByItsInverse, ()) {
   const double exponent = any_exponent();
   testing::check_round_trip(PowerCosineLobe<double>(tilted, exponent), 1e-14 * std::sqrt(1 + exponent));
 }
 
-// The density of a packet at its own draws is that of double there, at any exponent.
+// The density of a packet at its own draws agrees with double there, for any exponent.
 TEST(PowerCosineLobe, IsTheSameInPackets) {
   for (double exponent : {0.0, 5.0, 100.0}) {
     testing::expect_packets_agree(

@@ -9,7 +9,7 @@
 namespace fairlight {
 namespace {
 
-// 2^24 + 1 is no float; ten millionths are lost in 1, one by one.
+// 2^24 + 1 is not a float; ten numbers of 1e-7, added one by one, vanish beside 1.
 TEST(LongSum, KeepsWhatAFloatRoundsOff) {
   LongSum<float> sum;
   sum.add(0x1p24f);
@@ -31,7 +31,8 @@ TEST(LongSum, ComparesBothParts) {
   EXPECT_FALSE(most <= more);
 }
 
-// What an addition to the low part rounds off is at most u times it, and it at most n u times the sum, u = 2^-24.
+// An addition to the low part has a rounding error of at most u times that part, which is at most n
+// u times the sum; u = 2^-24.
 RC_GTEST_PROP(LongSum, IsExactToTheSquareOfWhatOneAdditionRounds, ()) {
   LongSum<float> sum;
   LongSum<Packet> packets;

@@ -50,13 +50,13 @@ TEST(MaximumHeuristic, GivesAllToTheLikeliestAndOfEqualsToTheFirst) {
   expect_weights<MaximumHeuristic>({2, 1}, {1, 2}, {1, 0});
 }
 
-// A density of 10^exponent / 10; every third one is zero.
+// Densities of 10^(e/10); every third one is 0.
 rc::Gen<double> density(int exponent) {
   return rc::gen::map(rc::gen::inRange(-10 * exponent, 10 * exponent + 1),
                       [](int e) { return e % 3 == 0 ? 0 : std::pow(10, e / 10.0); });
 }
 
-// The sum of three weights, and that each is in [0,1] and none is given where nothing is drawn.
+// Each of three weights is in [0,1], a law of density 0 has weight 0, and the weights sum to 1.
 template <class Heuristic, class Real>
 void expect_a_partition_of_one(int exponent) {
   std::array<Real, 3> n;
@@ -104,7 +104,8 @@ const auto laws = std::tuple(UniformHemisphere<double>{}, CosineHemisphere<doubl
 const auto height = [](const Vec3<double>& w) { return w.z(); };
 
 TEST(MultiSampleMis, AddsTheDrawsOfEveryLaw) {
-  // By the balance heuristic each draw of height z gives z / (1 / (2 pi) + 2 z / pi) = 2 pi z / (1 + 4 z).
+  // With the balance heuristic, a draw of height z contributes z / (1 / (2 pi) + 2 z / pi) = 2 pi z
+  // / (1 + 4 z).
   const MultiSampleMis estimator(BalanceHeuristic{}, laws, {1, 2}, height, {0, 3});
   ScriptedSource source({0.5, 0, 0.75, 0, 0.9375, 0});  // heights 1/2; 1/2 and 1/4
   EXPECT_DOUBLE_EQ(estimator.estimate(source), 2 * M_PI * (0.5 / 3 + 0.5 / 3 + 0.25 / 2));
@@ -113,7 +114,8 @@ TEST(MultiSampleMis, AddsTheDrawsOfEveryLaw) {
 }
 
 TEST(OneSampleMis, DrawsFromTheLawThatIsChosen) {
-  // By the maximum heuristic uniform draws count below the height where 3/4 / (2 pi) = 1/4 z / pi, 3/2: always.
+  // With the maximum heuristic, uniform draws count below the height where 3/4 / (2 pi) = 1/4 z /
+  // pi. That is z = 3/2, so they always count.
   const OneSampleMis estimator(MaximumHeuristic{}, laws, {3, 1}, height, {0, 3});
   ScriptedSource uniform({0.74, 0.5, 0});
   ScriptedSource cosine({0.75, 0.75, 0});
@@ -134,7 +136,7 @@ TEST(OneSampleMis, ByTheBalanceHeuristicIsImportanceSamplingFromTheMixture) {
   }
 }
 
-// A law that gives samples which do not exist: their density is zero, and they count nothing.
+// A law whose samples do not exist: their density is 0, and they contribute 0.
 struct Nowhere {
   using Scalar = double;
   using Point = Vec3<double>;
@@ -160,7 +162,7 @@ TEST(OneSampleMis, RefusesWhatIsNoProbability) {
   }
 }
 
-// Numbers that differ from lane to lane, the same in packets and, lane by lane, in double.
+// Numbers that differ between lanes, and agree lane by lane with double.
 struct Spread {
   double at;
   Packet next() {

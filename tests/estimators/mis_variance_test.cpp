@@ -9,12 +9,12 @@
 
 #include <fairlight/estimators/mis.h>
 
-// What heuristics promise of their terms and their variance, for two to five laws over a handful of points: sums, without
-// randomness.
+// Checks the guarantees of the heuristics for terms and variance, for two to five laws over a few
+// points. All are sums, without randomness.
 namespace fairlight {
 namespace {
 
-// A nonnegative number over six orders of magnitude; every fourth one is zero.
+// A nonnegative number over six orders of magnitude; every fourth one is 0.
 double any_number() {
   const int e = *rc::gen::inRange(-30, 31);
   return e % 4 == 0 ? 0 : std::pow(10, e / 10.0);
@@ -25,12 +25,12 @@ struct Combination {
   std::array<double, N> n;                 // draws of each law
   std::vector<std::array<double, N>> p;    // at each point, the probabilities of the laws
   std::vector<double> f;                   // at each point
-  std::vector<std::array<double, N>> odd;  // at each point, weights that no heuristic would give
+  std::vector<std::array<double, N>> odd;  // at each point, weights unlike any heuristic's
 
   double mean() const { return std::accumulate(f.begin(), f.end(), 0.0); }
 };
 
-// The weights of laws that draw nothing at a point are 0, and the others' sum to one.
+// A law of density 0 at a point has weight 0 there; the other weights sum to 1.
 template <std::size_t N>
 std::array<double, N> any_weights(const std::array<double, N>& p) {
   std::array<double, N> w;
@@ -40,7 +40,7 @@ std::array<double, N> any_weights(const std::array<double, N>& p) {
   return w;
 }
 
-// f is 0 where no law draws, and so every combination is unbiased.
+// f is 0 where all densities are 0, so every combination is unbiased.
 template <std::size_t N>
 Combination<N> any_combination() {
   Combination<N> made;
@@ -65,7 +65,8 @@ std::array<Density<Discrete, double>, N> densities(const std::array<double, N>& 
   return std::apply([](auto... x) { return std::array{Density<Discrete, double>(x)...}; }, p);
 }
 
-// sum over i of n_i sum over x of p_i (w_i f / (n_i p_i))^2, with the kit's factor w_i / (n_i p_i).
+// The sum over i of n_i sum over x of p_i (w_i f / (n_i p_i))^2, with the kit's factor w_i / (n_i
+// p_i).
 template <class Heuristic, std::size_t N>
 double second_moment(const Combination<N>& c) {
   double sum = 0;
@@ -78,7 +79,7 @@ double second_moment(const Combination<N>& c) {
   return sum;
 }
 
-// The same for weights as they are given.
+// The same for given weights.
 template <std::size_t N>
 double second_moment(const Combination<N>& c, const std::vector<std::array<double, N>>& weights) {
   double sum = 0;
@@ -90,7 +91,8 @@ double second_moment(const Combination<N>& c, const std::vector<std::array<doubl
   return sum;
 }
 
-// What the squared means of the laws' parts take off, sum over i of (sum over x of w_i f)^2 / n_i.
+// The sum over i of (sum over x of w_i f)^2 / n_i, which the variance subtracts for the squared
+// means of the laws' parts.
 template <std::size_t N>
 double squared_parts(const Combination<N>& c, const std::vector<std::array<double, N>>& weights) {
   double sum = 0;
@@ -118,7 +120,7 @@ double variance(const Combination<N>& c) {
   return second_moment<Heuristic>(c) - squared_parts(c, weights_of<Heuristic>(c));
 }
 
-// check(combination) for two, three, four and five laws.
+// Calls check(combination) for two, three, four and five laws.
 template <class Check>
 void for_two_to_five_laws(const Check& check) {
   check(any_combination<2>());
@@ -127,10 +129,10 @@ void for_two_to_five_laws(const Check& check) {
   check(any_combination<5>());
 }
 
-// Sums of some 30 nonnegative terms, each with a few roundings.
+// The sums have about 30 nonnegative terms, each with a few rounding errors.
 constexpr double rounding = 1e-14;
 
-// In the unit of the balance heuristic's term, f / sum n_k p_k.
+// Measured in units of the balance heuristic's term, f / sum n_k p_k.
 template <class Heuristic>
 void expect_no_more_than_its_excess() {
   for_two_to_five_laws([]<std::size_t N>(const Combination<N>& c) {
@@ -169,8 +171,9 @@ RC_GTEST_PROP(BalanceHeuristic, HasLittleMoreVarianceThanAnyOtherFromSeveralSamp
   });
 }
 
-// Veach 1997, theorem 9.4: from one sample no combination has less. With c_i = n_i / n every second moment is n times
-// that of n_i, and the means are the same, so it is enough to compare the sums above.
+// Veach 1997, theorem 9.4: in the one-sample model no combination has a smaller variance. With c_i
+// = n_i / n every second moment is n times that of n_i, and the means are equal, so comparing the
+// sums above is enough.
 RC_GTEST_PROP(BalanceHeuristic, HasTheLeastVarianceFromOneSample, ()) {
   for_two_to_five_laws([](const auto& c) {
     const double balance = second_moment<BalanceHeuristic>(c) * (1 - rounding);
@@ -180,7 +183,7 @@ RC_GTEST_PROP(BalanceHeuristic, HasTheLeastVarianceFromOneSample, ()) {
   });
 }
 
-// Two points, two laws alike: whichever is drawn, it counts 1.
+// Two points, two equal laws that are proportional to f: every draw contributes 1.
 TEST(BalanceHeuristic, HasNoVarianceFromLawsThatAreProportionalToWhatTheySample) {
   const Combination<2> c{{1, 3}, {{0.25, 0.25}, {0.75, 0.75}}, {1, 3}, {}};
   EXPECT_NEAR(variance<BalanceHeuristic>(c), 0, 1e-15);

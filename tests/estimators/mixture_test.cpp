@@ -51,7 +51,7 @@ TEST(Mixture, PaysADiffuseBounceWithTheDensityOfTheWhole) {
 TEST(Mixture, NestsInMixtures) {
   const Mixture three(WeightedLobe{Dielectric<double>(1.5), 0.5, 0.5}, WeightedLobe{varnished, 0.5, 0.5});
   static_assert(decltype(three)::dimensions == 4);
-  const auto reflected = three.sample(up, {0.75, 0.25, 0.5, 0.5});  // the varnish, and there the mirror
+  const auto reflected = three.sample(up, {0.75, 0.25, 0.5, 0.5});  // the varnish, and in it the mirror
   EXPECT_TRUE(reflected.weight.isApprox(Rgb<double>::Constant(0.5 / 0.5 * 0.25 / 0.5), 1e-15));
   EXPECT_EQ(reflected.density.value(), 0);
   const auto refracted = three.sample(up, {0.25, 0.5, 0.5, 0.5});  // the glass
@@ -59,7 +59,8 @@ TEST(Mixture, NestsInMixtures) {
   EXPECT_TRUE(refracted.weight.isApprox(Rgb<double>::Constant(1 / 2.25), 1e-15));
 }
 
-// Where there is a density, the weight is f cos / p of the whole, whichever lobe the bounce came from.
+// Where a density exists, the weight is f cos / p of the whole mixture, whichever lobe the bounce
+// came from.
 RC_GTEST_PROP(Mixture, WeighsByTheWhole, ()) {
   const double q = *testing::unit_number();
   const TwoDiffuse surface(WeightedLobe{diffuse, q == 0 ? 0 : *testing::unit_number(), q},

@@ -38,7 +38,7 @@ TEST(Packet, SelectsLaneByLane) {
   EXPECT_FALSE(all(x == Packet(0)));
 }
 
-// To lanes 1 and 2 of any packet; and to all of them, or none.
+// Into lanes 1 and 2 of any packet, into all lanes, and into none.
 TEST(Packet, ExpandsNumbersIntoTheLanesThatAreNamed) {
   std::array<float, lanes<Packet>> next{};
   std::array<std::uint32_t, lanes<Packet>> words{};
@@ -63,7 +63,8 @@ TEST(Packet, ExpandsNumbersIntoTheLanesThatAreNamed) {
   EXPECT_EQ(expand(0, &one, 5.0), 5);
 }
 
-// The five numbers of a Philox block: the upper 24 bits of its words, and the lower 8 of the first three.
+// The five numbers of a Philox block: the upper 24 bits of its four words, and the lower 8 of the
+// first three.
 std::array<double, 5> numbers_of(const Philox<std::uint32_t>::Counter& words) {
   std::array<double, 5> numbers{};
   for (std::size_t k = 0; k < 4; ++k) numbers[k] = (words[k] >> 8) * 0x1p-24;
@@ -80,7 +81,7 @@ void expect_sample(const std::array<std::array<double, lanes<Packet>>, 7>& drawn
   }
 }
 
-// Lane i is sample first + i, whatever the width.
+// Lane i is sample first + i, for any width.
 TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsSample) {
   const StreamKey key(7, "lanes");
   for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{0xFFFFFFFE}, std::uint64_t{1} << 40}) {
@@ -91,7 +92,7 @@ TEST(PhiloxStream, GivesEachLaneTheNumbersOfItsSample) {
   }
 }
 
-// At every place where a quarter of a turn begins or ends, and between: to an ulp of 1, and exactly at the quarters.
+// At all boundaries of quarter turns and between them: to an ulp of 1, and exactly at the quarters.
 TEST(Packet, TurnsAsDoubleDoes) {
   const auto expect_turn = [](double turn, double sine, double cosine) {
     EXPECT_LE(std::abs(sine - std::sin(2 * M_PI * turn)), 0x1p-23) << turn;
@@ -101,7 +102,7 @@ TEST(Packet, TurnsAsDoubleDoes) {
     EXPECT_EQ(cosine, std::round(std::cos(2 * M_PI * turn)));
   };
   for (int i = 0; i <= 4096; ++i) {
-    std::array<double, lanes<Packet>> turns{};  // in lanes that are in different quarters
+    std::array<double, lanes<Packet>> turns{};  // lanes in different quarters
     for (std::size_t lane = 0; lane < lanes<Packet>; ++lane)
       turns[lane] = (i + 1024 * static_cast<int>(lane)) % 4097 / 4096.0;
     Packet turn;

@@ -13,7 +13,8 @@ RC_GTEST_PROP(SecondSobol, IsTheSequencesSecondDimension, (std::uint32_t point))
   RC_ASSERT(reverse_bits(second_sobol_reversed(point)) == sobol(1u, point));
 }
 
-// Every elementary interval 2^-a x 2^-(m-a) has one point of a set; and so have the 2^m intervals of the number alone.
+// Every elementary interval 2^-a x 2^-(m-a) holds one point of a set. Each of the 2^m intervals of
+// the single number holds one, too.
 RC_GTEST_PROP(PaddedSobol, HasOnePointInEveryElementaryInterval,
               (std::uint64_t seed, std::uint32_t pixel, std::uint32_t vertex, std::uint32_t b)) {
   const int m = *rc::gen::inRange(0, 11);
@@ -48,7 +49,8 @@ RC_GTEST_PROP(PaddedSobol, GivesPacketsTheSameNumbersInTwentyFourDigits,
   }
 }
 
-// A set's one point is at 0, so its numbers are scrambled shifts: 24 bits of a block's words each, and the lower 8 of three for the last.
+// A set of one point has the point 0, so its numbers are scrambled shifts. Four shifts are the
+// upper 24 bits of the block's words; the fifth is the lower 8 of three of them.
 TEST(PaddedSobol, ShiftsByWordsThatNoTwoNumbersShare) {
   const StreamKey key(1, "test");
   const auto words = Philox<std::uint32_t>::draw({0x80000001u, 5, 6, 7}, key.words());
@@ -70,7 +72,7 @@ RC_GTEST_PROP(PaddedSobol, HasIndependentDigitsAfterTheTwentyFourth, (std::uint6
   }
 }
 
-// Which points are in the lower half says in what order they come; the digits' shift may turn all of them over.
+// Identifies an order by which points are in the lower half; the digital shift may swap the halves.
 TEST(PaddedSobol, HasAnOrderOfItsOwnInEveryPairAndSingleOfEveryBlock) {
   const PaddedSobol numbers(StreamKey(1, "test"), 64);
   std::set<std::uint64_t> orders;

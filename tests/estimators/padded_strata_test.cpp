@@ -46,7 +46,8 @@ RC_GTEST_PROP(PaddedStrata, HaveOnePointInEachCell, (std::uint64_t seed, std::ui
   expect_one_point_in_each_cell<Packet>(seed, pixel);
 }
 
-// One cell: the jitter alone. Of 16 points the first two digits are the cell's, and the others those of the jitter.
+// A single cell gives the jitter alone. With 16 points the first two digits are the cell's, and the
+// rest are the jitter's.
 TEST(PaddedStrata, JitterWithinACellByIndependentNumbers) {
   const StreamKey key(1, "test");
   const auto jitter = IndependentNumbers(key).block<double>({2, 5, 3}, 1);

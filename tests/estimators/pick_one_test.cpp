@@ -30,7 +30,8 @@ RC_GTEST_PROP(UniformChoice, NamesAnAlternativeThatExists, ()) {
   RC_ASSERT(choice.sample(Vec2<double>::Constant(1 - 0x1p-53)).index == n - 1);
 }
 
-// Between two neighbours of 24 bits the second number decides: 100000 x / 2^24 passes 1 at x = 167.77216.
+// Between neighbours of 24 bits the second number decides: 100000 x / 2^24 passes 1 at x =
+// 167.77216.
 TEST(UniformChoice, ChoosesFinelyInPackets) {
   const UniformChoice<Packet> choice(100000);
   const auto index = [&](float x, float y) {
@@ -41,7 +42,8 @@ TEST(UniformChoice, ChoosesFinelyInPackets) {
   EXPECT_EQ(index(1 - 0x1p-24f, 1 - 0x1p-24f), 99999);
 }
 
-// The whole part of n (a 2^24 + b) / 2^48, with a and b the first 24 bits of the two numbers, in integers.
+// The integer part of n (a 2^24 + b) / 2^48, in integers; a and b are the first 24 bits of the two
+// numbers.
 RC_GTEST_PROP(UniformChoice, IsTheWholePartOfTheProductInEveryArithmetic, ()) {
   const auto n = *rc::gen::element<std::uint64_t>(1, 3, 1000, 100'000, (1 << 24) - 1, 1 << 24);
   const auto bits = rc::gen::inRange<std::uint64_t>(0, 1 << 24);

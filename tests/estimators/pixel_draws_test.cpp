@@ -11,7 +11,7 @@
 namespace fairlight {
 namespace {
 
-// A draw that shows where it comes from.
+// A draw that identifies its pixel and its sample.
 const auto place = [](std::size_t pixel, auto& source) {
   using Real = decltype(source.next());
   return Real(source.next() + rounded<Real>(static_cast<double>(pixel)));
@@ -49,7 +49,8 @@ TEST(PixelDraws, AreAsManyAsAreAskedFor) {
   EXPECT_TRUE(set_draws<OwenSobol<double>>(0, 10)(2, 3, 0).empty());
 }
 
-// Every stage of a pixel has one sample in each n-th of the unit interval, whatever its size and the stages before.
+// A stage of n samples of a pixel has one in each n-th of the unit interval, for any n and any
+// earlier stages.
 template <class Set>
 void expect_a_set_for_every_stage() {
   RC_ASSERT(rc::check([] {
@@ -82,7 +83,7 @@ TEST(PixelPointSets, RefuseTheNumbersOfAnotherPixel) {
   EXPECT_THROW(draws(2, ~std::uint64_t{0}, 4), std::length_error) << "the sum of both is small again";
 }
 
-// Units and replicates have 32 bits: those beyond would be the first again.
+// Units and replicates have 32 bits; beyond, they would repeat the first ones.
 TEST(PixelDraws, RefuseAPixelWithoutAUnitOfItsOwn) {
   const auto draws = stream_draws<double>(0xFFFFFFFEu);
   EXPECT_NO_THROW(draws(1, 0, 1));

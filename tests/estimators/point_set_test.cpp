@@ -10,7 +10,7 @@
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
 
-// What every point set has in common.
+// Tests for all point sets.
 namespace fairlight {
 namespace {
 
@@ -30,7 +30,7 @@ class EveryPointSet : public ::testing::Test {};
 using Families = ::testing::Types<Family<OwenSobol>, Family<Stratified>, Family<LatinHypercube>>;
 TYPED_TEST_SUITE(EveryPointSet, Families);
 
-// The first numbers of a point; 80 of them reach beyond Sobol's own dimensions.
+// The first numbers of a point; 80 go beyond Sobol's own dimensions.
 template <class Set>
 std::vector<double> numbers(const Set& set, std::uint32_t point, int count = 80) {
   PointSource<Set> source = set.source(point);

@@ -16,7 +16,7 @@ using Point = Vec3<double>;
 static_assert(LightSampling<RectangleByArea<double>>);
 static_assert(LightSampling<RectangleBySolidAngle<Packet>>);
 
-// The face of a cube of edge 2 about the origin fills a sixth of all directions.
+// A face of a cube of edge 2 about the origin fills a sixth of all directions.
 const Light face({-1, -1, 1}, {2, 0, 0}, {0, 2, 0});
 const Point origin(0, 0, 0);
 
@@ -71,9 +71,10 @@ TEST(RectangleLight, RefusesWhatIsNoRectangle) {
   EXPECT_THROW(Light(origin, {1, 0, 0}, {0, std::nan(""), 0}), std::invalid_argument);
 }
 
-// What is below the sampled point in the rectangle fills the part u of the solid angle, whose own formula, a sum over four
-// corners of atan(x y / (z r)), cancels: so lengths within a thousand of each
-// other, where the ulp by which a point is off moves the solid angle by up to a thousand.
+// The part of the rectangle below the sampled x fills the fraction u of the solid angle. The
+// reference formula, a sum of atan(x y / (z r)) over four corners, cancels. So the lengths are
+// within a factor of a thousand, where an error of an ulp in a point changes the solid angle by up
+// to a thousand ulp.
 RC_GTEST_PROP(RectangleBySolidAngle, PutsThePartUOfTheSolidAngleBelowX, ()) {
   const auto modest = [] { return *rc::gen::map(rc::gen::inRange(10, 1001), [](int i) { return i / 100.0; }); };
   const Point corner(modest() - 5, modest() - 5, modest());
@@ -91,7 +92,7 @@ RC_GTEST_PROP(RectangleBySolidAngle, PutsThePartUOfTheSolidAngleBelowX, ()) {
   const double part = solid_angle(corner.x(), hit.x(), corner.y(), corner.y() + height);
   RC_ASSERT(std::abs(sample.density.value() * all - 1) < 1e-14 / all);
   RC_ASSERT(std::abs(part - u.x() * all) < 1e-12);
-  // and v the sine between the sines of the edges, as seen at x
+  // v interpolates linearly between the sines of the edges, as seen at x.
   const auto sine = [&](double y) { return y / std::hypot(hit.x(), y, corner.z()); };
   const double top = sine(corner.y() + height), bottom = sine(corner.y());
   RC_ASSERT(std::abs(sine(hit.y()) - (bottom + u.y() * (top - bottom))) < 1e-12);

@@ -7,13 +7,14 @@
 
 #include <fairlight/estimators/rectangle_light.h>
 
-// Rectangles at the ends of what floats hold: sides and distances from 1e-10 to 1e10 m, planes from 1e-15 of the rest.
+// Rectangles at the limits of floats: sides and distances from 1e-10 to 1e10 m, planes as near as
+// 1e-15 of the other coordinates.
 namespace fairlight {
 namespace {
 
-constexpr double rounding = 32 * 0x1p-23;  // some thirty operations, as in lights_of_any_size_test.cpp
+constexpr double rounding = 32 * 0x1p-23;  // about thirty operations, as in lights_of_any_size_test.cpp
 
-// A rectangle of the given sides whose middle is straight above the origin.
+// A rectangle of the given sides, centred at (0, 0, z).
 RectangleLight<float> above(double width, double height, double z) {
   return {Vec3<double>(-width / 2, -height / 2, z).cast<float>(), Vec3<double>(width, 0, 0).cast<float>(),
           Vec3<double>(0, height, 0).cast<float>()};
@@ -24,7 +25,8 @@ double solid_angle(const RectangleLight<float>& light) {
   return 1 / static_cast<double>(density.value());
 }
 
-// Seen from near its middle a rectangle fills half of all directions, and from far off its area over the square of the distance.
+// From a point close to its middle a rectangle fills half of all directions; from far away, its
+// area over the squared distance.
 TEST(RectangleBySolidAngle, FillsHalfOfAllFromNearAndLittleFromFar) {
   for (double ratio : {1e-8, 1e-11, 1e-14}) {
     EXPECT_NEAR(solid_angle(above(1, 1, ratio)) / (2 * M_PI), 1, rounding) << ratio;
@@ -33,12 +35,12 @@ TEST(RectangleBySolidAngle, FillsHalfOfAllFromNearAndLittleFromFar) {
   }
 }
 
-// A strip of height 2 h at the distance z that is as good as endless fills 4 atan(h / z).
+// A practically endless strip of height 2 h at the distance z fills 4 atan(h / z).
 TEST(RectangleBySolidAngle, OfALongStripIsAnAngle) {
   for (double length : {1e7, 1e10}) {
     for (double z : {1e-10, 1e-3, 1.0}) {
       for (double h : {1e-4, 1.0, 1e4}) {
-        if (h * z > 1e-15 * length && h < 1e-4 * length) {  // at the ends 8 z h^2 / length^2 is lost
+        if (h * z > 1e-15 * length && h < 1e-4 * length) {  // the ends lack 8 z h^2 / length^2
           EXPECT_NEAR(solid_angle(above(length, 2 * h, z * h)) / (4 * std::atan(1 / z)), 1, rounding)
               << length << ' ' << z;
           EXPECT_NEAR(solid_angle(above(2 * h, length, z * h)) / (4 * std::atan(1 / z)), 1, rounding)
@@ -49,7 +51,8 @@ TEST(RectangleBySolidAngle, OfALongStripIsAnAngle) {
   }
 }
 
-// Wherever it is, from 1e-10 to 1e10 m, a sample is a point of it, and its density a number.
+// For lengths from 1e-10 to 1e10 m, a sample is a point of the rectangle, and its density is
+// finite.
 RC_GTEST_PROP(RectangleBySolidAngle, IsAPointOfTheRectangleInFloats, ()) {
   const auto size = [] {
     return *rc::gen::map(rc::gen::inRange(-9999, 10000), [](int x) { return std::pow(10.0, x / 1000.0); });
@@ -63,8 +66,8 @@ RC_GTEST_PROP(RectangleBySolidAngle, IsAPointOfTheRectangleInFloats, ()) {
   const auto density = static_cast<double>(sample.density.value());
   RC_ASSERT(density >= 0 && density <= 1e36 * (1 + rounding));
   const double extent = static_cast<double>(corner.lpNorm<1>() + width + height);
-  if (density ==
-      0) {  // as its page says, where the plane is nearer than 1e-15 of the rest, or the solid angle below 1e-36
+  // As documented: the plane is nearer than 1e-15 of the rest, or the solid angle is below 1e-36.
+  if (density == 0) {
     const double z = static_cast<double>(std::abs(corner.z())), area = static_cast<double>(width * height);
     RC_ASSERT(z <= 1e-15 * extent || area * z <= 1e-35 * extent * extent * extent);
     return;
@@ -84,7 +87,7 @@ TEST(RectangleBySolidAngle, IsNotSeenFromNearerThanFloatsTell) {
   EXPECT_EQ(RectangleBySolidAngle<float>(above(2, 2, 0.5e-15)).pdf({0, 0, 0}, {0, 0, 1}).value(), 0);
 }
 
-// A side of 1e-9 m at 1e10 m: t^2 / A = 1e38.
+// Sides of 1e-9 m at 1e10 m: t^2 / A = 1e38.
 TEST(RectangleByArea, IsNotSeenWhereFloatsDoNotHoldItsDensity) {
   for (double z : {1e8, 1e10}) {
     const RectangleByArea<float> light(above(1e-9, 1e-9, z));

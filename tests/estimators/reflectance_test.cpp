@@ -8,7 +8,7 @@
 namespace fairlight {
 namespace {
 
-// Colours whose channels differ, and cosines that are exact in floats.
+// Colours with different channels, and cosines that are exact in floats.
 const Rgb<double> colour(0.25, 0.5, 0);
 
 TEST(ConstantReflectance, IsTheSameAtAnyAngle) {
@@ -28,8 +28,8 @@ TEST(FresnelReflectance, IsKnownByHandAtNormalIncidence) {
   EXPECT_TRUE(reflectance(1).isApprox(Rgb<double>(0.5, 10.0 / 18, 0.04), 1e-15));
 }
 
-// Every lane has a cosine of its own. Both arithmetics round each of the steps, fewer than 20, by
-// half an ulp of what is at most 2.
+// Each lane has a different cosine. Both arithmetics round fewer than 20 steps, each by half an ulp
+// of at most 2.
 template <template <class> class Reflectance, class... Colours>
 void expect_the_same_in_lanes(const Colours&... colours) {
   std::array<double, lanes<Packet>> cosines{};

@@ -7,23 +7,25 @@
 #include <fairlight/estimators/rectangle_light.h>
 #include <fairlight/estimators/sphere_sampling.h>
 
-// A direction to a light that is drawn in double and rounded to floats may be past the rim, by half an ulp of 1 rad; so may one
-// that floats draw. Where either has no density, a bounce that finds the light counts all of it, and the weights of multiple
-// importance sampling sum to more than one: to 1.004 for a sphere of r/d = 1e-5.
+// A direction that is sampled in double and rounded to floats, or sampled in floats, may be past
+// the rim by half an ulp of 1 rad. If it had density 0, a bounce that hits the light would count
+// fully, and the weights of multiple importance sampling would sum to more than 1: to 1.004 for a
+// sphere of r/d = 1e-5.
 namespace fairlight {
 namespace {
 
 constexpr double rad = 0x1p-23;  // an ulp of 1
 
-// Directions whose components are of the same size, of different sizes, and 0.
+// Directions with components of equal size, of different sizes, and 0.
 const std::array<Vec3<double>, 6> all_around{Vec3<double>(1, 0, 0),      Vec3<double>(1, 2, -3),
                                              Vec3<double>(-3, 1, 1),     Vec3<double>(1, -1, 1),
                                              Vec3<double>(-5, 0.01, 12), Vec3<double>(2, 7, 0.3)};
 
-// A sphere of radius 1 about the origin, and a place that floats have, at about 1 / ratio from it.
+// A sphere of radius 1 about the origin, and a point with float coordinates at a distance of about
+// 1 / ratio.
 struct FarSphere {
   Vec3<float> from;
-  double cone_height;  // 1 - cos of what it fills
+  double cone_height;  // 1 - cos of its cone
   Frame<double> frame;
 
   FarSphere(const Vec3<double>& towards, double ratio)
@@ -31,14 +33,14 @@ struct FarSphere {
         cone_height(height(from.cast<double>())),
         frame(-from.cast<double>().normalized()) {}
 
-  // The direction at the given angle past the rim [rad], which is negative within.
+  // The direction at an angle past the rim [rad]; a negative angle is inside.
   Vec3<float> past_the_rim(double angle, double turn) const {
     const double theta = 2 * std::asin(std::sqrt(cone_height / 2)) + angle;
     const Vec3<double> local(std::sin(theta) * std::cos(turn), std::sin(theta) * std::sin(turn), std::cos(theta));
     return frame.to_world(local).cast<float>();
   }
 
-  // The direction at the part of the cap that u_x is of its height.
+  // The direction at the fraction `part` of the cap's height, as for u_x.
   Vec3<float> within(double part, double turn) const {
     const double drop = part * cone_height, radius = std::sqrt(drop * (2 - drop));
     return frame.to_world({radius * std::cos(turn), radius * std::sin(turn), 1 - drop}).cast<float>();
@@ -56,7 +58,7 @@ SphereLight<Real> unit_sphere() {
   return {Vec3<Real>(0, 0, 0), Real(1)};
 }
 
-// Calls visit(sphere, direction) for a grid of directions over the cap, 64 parts of its height by 64 turns.
+// Calls visit(sphere, direction) for a grid of directions over the cap: 64 heights by 64 turns.
 template <class Visit>
 void over_the_cap(double ratio, const Visit& visit) {
   for (const Vec3<double>& towards : all_around) {
@@ -67,7 +69,8 @@ void over_the_cap(double ratio, const Visit& visit) {
   }
 }
 
-// 1/(2 pi (1 - cos)), of an 1 - cos that takes the square of r/d: some 16 roundings.
+// The density is 1/(2 pi (1 - cos)), where 1 - cos comes from the square of r/d: about 16 rounding
+// errors.
 TEST(SphereByCone, HasItsDensityInFloatsUpToTheRim) {
   const SphereByCone<float> floats(unit_sphere<float>());
   for (double ratio : {0.5, 0.1, 1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-14}) {
@@ -102,7 +105,8 @@ TEST(SphereByCone, HasADensityWhereFloatsDraw) {
   }
 }
 
-// Rounding takes a direction 2 ulp of 1 rad at most, and the support ends 4 past the rim, and 8 ulp of the chord.
+// Rounding moves a direction by at most 2 ulp of 1 rad. The support ends 4 ulp of 1 rad past the
+// rim, plus 8 ulp of the chord.
 TEST(SphereByCone, EndsBeyondTheRim) {
   const SphereByCone<float> light(unit_sphere<float>());
   for (double ratio : {0.5, 1e-2, 1e-5, 1e-7, 1e-14}) {
@@ -117,8 +121,8 @@ TEST(SphereByCone, EndsBeyondTheRim) {
   }
 }
 
-// The density of points by area is t^2 / (4 pi r^2 cos), which is least where the line passes through the centre. Of a direction that
-// rounding takes to where it would be infinite, at the rim itself, it is 0; none of these is there.
+// By area the density is t^2 / (4 pi r^2 cos), which is smallest for the line through the centre.
+// At the rim itself it would be infinite, and is 0 there; none of these directions rounds to it.
 TEST(SphereByArea, HasADensityInFloatsUpToTheRim) {
   const SphereByArea<float> to_int(unit_sphere<float>());
   const SphereByVisibleHemisphere<float> half(unit_sphere<float>());
@@ -134,7 +138,8 @@ TEST(SphereByArea, HasADensityInFloatsUpToTheRim) {
   }
 }
 
-// A square of edge 1 that is seen head on, from `distance` and 0.25 of the edge aside of its middle: points of a grid, and of its edges.
+// A square of edge 1, seen from `distance`, 0.25 of its edge off its middle: points of a grid, and
+// of its edges.
 TEST(RectangleLight, HasADensityInFloatsUpToTheEdge) {
   for (double distance : {1.0, 1e2, 1e5, 1e6}) {
     const RectangleLight<float> light({-0.75f, -0.25f, static_cast<float>(distance)}, {1, 0, 0}, {0, 1, 0});

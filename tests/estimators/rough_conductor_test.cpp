@@ -37,7 +37,7 @@ TEST(FresnelReflectance, IsThatOfASmoothConductor) {
   const Rgb<double> eta(0.2, 0.9, 1.5), k(3.9, 2.5, 1.9);
   const FresnelReflectance<double> reflectance(eta, k);
   EXPECT_TRUE((reflectance(0.5) == fresnel_conductor(0.5, eta, k)).all());
-  // At normal incidence ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2).
+  // At normal incidence F = ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2).
   EXPECT_NEAR(reflectance(1)[0], (0.64 + 15.21) / (1.44 + 15.21), 1e-14);
 }
 
@@ -58,7 +58,7 @@ TEST(SchlickReflectance, RisesFromNormalToWhite) {
   EXPECT_TRUE(reflectance(0).isApprox(Rgb<double>::Constant(1), 1e-15));
 }
 
-// D = 4 / pi, all of it seen: f = F D / 4.
+// D = 4 / pi, without masking: f = F D / 4.
 TEST(RoughConductor, ReflectsFromItsFlatFacets) {
   EXPECT_TRUE(conductor(0.5, 0.5).eval(up, up).isApprox(gold / M_PI, 1e-15));
   EXPECT_DOUBLE_EQ(conductor(0.5, 0.5).pdf(up, up).value(), 1 / M_PI);
@@ -84,7 +84,7 @@ TEST(RoughConductor, IsAMirrorWhenItIsSmooth) {
   EXPECT_TRUE(varnish.albedo({0, 0.6, 0.8}).isApprox(SchlickReflectance<double>(gold)(0.8), 1e-7));
 }
 
-// In double to the accuracy stated; in packets to that and some ulp.
+// In double to the stated accuracy; in packets a few ulp more.
 RC_GTEST_PROP(RoughConductor, ReflectsNoMoreThanItsFacets, ()) {
   const double alpha_x = *roughness(), alpha_y = *roughness();
   const Vec3<double> out = *direction_above();
@@ -96,7 +96,7 @@ RC_GTEST_PROP(RoughConductor, ReflectsNoMoreThanItsFacets, ()) {
   }
 }
 
-// Which axis is called x, and from which side one looks, does not matter.
+// Swapping the axes, or mirroring the direction, changes nothing.
 RC_GTEST_PROP(RoughConductor, ReflectsAlikeBySymmetry, ()) {
   const double alpha_x = *roughness(), alpha_y = *roughness();
   const Vec3<double> out = *direction_above();
@@ -147,9 +147,9 @@ RC_GTEST_PROP(RoughConductor, WeighsABounceBetweenZeroAndOneInFloats, ()) {
   for (const Vec2<float>& u : testing::edge_points_float()) expect_bounce(surface, out, u);
 }
 
-// A bounce's weight times its density is f cos, and its density that of `pdf`. D depends on the normal over the
-// roughness, to the fourth power; the normal is known from out and in to an ulp or two over the length of out + in,
-// and cos(in) to an ulp or two over itself.
+// A bounce's weight times its density is f cos, and its density agrees with `pdf`. D depends on the
+// fourth power of the normal over the roughness. The normal has an error of an ulp or two over the
+// length of out + in; cos(in) has a relative error of an ulp or two over cos(in).
 template <class Real>
 void expect_consistent(double alpha, const Vec3<double>& direction, const Vec2<Real>& u) {
   const auto surface = conductor<Real>(alpha, alpha);
@@ -191,8 +191,9 @@ TEST(RoughConductor, IsTheSameInPackets) {
   }
 }
 
-// At roughness 1, D = 1 / pi: f = F / (2 pi (z_out + z_in)), and p = D / (2 (z + s)), s = 1. From opposite sides the sum of the
-// directions is 2 z long, whose square floats do not hold; and 1e-280, whose square is 0 in double.
+// At roughness 1, D = 1 / pi: f = F / (2 pi (z_out + z_in)), and p = D / (2 (z + s)) with s = 1.
+// From opposite sides the sum of the directions has the length 2 z, whose square underflows in
+// floats; for 1e-280 it is 0 in double.
 template <class Real>
 void expect_grazing_facets(Real z) {
   const auto surface = conductor<Real>(1, 1);

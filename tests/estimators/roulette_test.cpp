@@ -25,9 +25,9 @@ TEST(RussianRoulette, NeverSurvivesZeroAndAlwaysSurvivesOne) {
   EXPECT_TRUE(RussianRoulette::play(1.0, 1 - 0x1p-53).alive);
 }
 
-// Of all numbers on a grid as many survive as the probability says, each is paid the same, and all
-// together what they were. Each probability is a multiple of the grid's step, so the count is
-// exact; the pay is rounded once.
+// Over a grid of numbers, the fraction that survives is exactly the probability, all survivors have
+// the same weight, and the weights sum to the size of the grid. Each probability is a multiple of
+// the grid's step, so the count is exact; the weight is rounded once.
 template <class Real>
 void expect_mean_kept() {
   constexpr int grid = 256;
@@ -81,7 +81,7 @@ TEST(RouletteByReflectance, GoesOnWithTheLargestReflectance) {
 }
 
 TEST(RouletteByThroughput, GoesOnWithTheLargestChannelOfWhatTheBounceLeaves) {
-  const Rgb<double> albedo(0.25, 0.5, 1);  // leaves 1/8, 1/16, 1/4
+  const Rgb<double> albedo(0.25, 0.5, 1);  // throughput times albedo is 1/8, 1/16, 1/4
   ScriptedSource below({0.24});
   ScriptedSource above({0.26});
   const auto survival = RouletteByThroughput<>::play<double>(albedo, throughput, 0, below);
@@ -109,7 +109,8 @@ TEST(RouletteFromBounce, WaitsForItsBounce) {
   EXPECT_TRUE(two.exhausted());
 }
 
-// Of two lanes that draw the same number, 0.6 against 1/2, one is at its first bounce, and is not paid either.
+// Two lanes draw 0.6, and the probability is 1/2. One is at its first bounce, so it survives, with
+// weight 1.
 TEST(RouletteFromBounce, SparesLaneByLane) {
   struct Constant {
     Packet next() const { return Packet(0.6f); }
@@ -140,7 +141,7 @@ TEST(NoRoulette, AlwaysGoesOnAndTakesNoNumber) {
   EXPECT_EQ(survival.weight, 1);
 }
 
-// The lanes of a packet play for themselves.
+// Each lane plays independently.
 TEST(RouletteByThroughput, PlaysLaneByLane) {
   struct Ramp {
     Packet next() const {

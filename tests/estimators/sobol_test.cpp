@@ -14,7 +14,7 @@ namespace {
 
 std::uint32_t gray_code(std::uint32_t i) { return i ^ (i >> 1); }
 
-// The first points in three dimensions as Joe and Kuo print them, in the order of the Gray code, times 16.
+// The first points in three dimensions as Joe and Kuo print them, in Gray code order, times 16.
 TEST(Sobol, GivesThePublishedPoints) {
   const std::vector<std::array<double, 3>> published{{0, 0, 0},  {8, 8, 8},   {12, 4, 4},  {4, 12, 12},
                                                      {6, 6, 10}, {14, 14, 2}, {10, 2, 14}, {2, 10, 6},
@@ -39,7 +39,7 @@ TEST(ReverseBits, ReversesThem) {
   EXPECT_EQ(reverse_bits(0x12345678u), 0x1E6A2C48u);
 }
 
-// Two numbers part at the same digit before and after: what makes nets stay nets.
+// Two numbers first differ at the same digit before and after, so nets stay nets.
 RC_GTEST_PROP(NestedScramble, KeepsHowManyLeadingDigitsAgree,
               (std::uint32_t x, std::uint32_t shift, std::uint32_t factor)) {
   const std::uint32_t y = x ^ (*rc::gen::arbitrary<std::uint32_t>() >> *rc::gen::inRange(0, 32));
@@ -47,14 +47,15 @@ RC_GTEST_PROP(NestedScramble, KeepsHowManyLeadingDigitsAgree,
             std::countl_zero(nested_scramble(x, shift, factor) ^ nested_scramble(y, shift, factor)));
 }
 
-// As the shift runs through all words, so does the scrambled number: it is uniform whatever it was.
+// Over all shifts the scrambled number takes every value once, so it is uniform for any input.
 RC_GTEST_PROP(NestedScramble, TakesDifferentShiftsToDifferentNumbers,
               (std::uint32_t x, std::uint32_t a, std::uint32_t b, std::uint32_t factor)) {
   RC_PRE(a != b);
   RC_ASSERT(nested_scramble(x, a, factor) != nested_scramble(x, b, factor));
 }
 
-// Of words of five bits, over all shifts and odd factors: two that part after j bits go to each two that part there, and to each as often.
+// For five-bit words, over all shifts and odd factors: a pair that first differs at bit j goes to
+// every pair that first differs there, equally often.
 TEST(ScrambleUpwards, GivesTwoNumbersTheLawOfOwensScrambling) {
   constexpr std::uint32_t n = 32;
   for (std::uint32_t y = 1; y < n; ++y) {
@@ -78,7 +79,7 @@ TEST(ScrambleUpwards, GivesTwoNumbersTheLawOfOwensScrambling) {
 TEST(ScrambleUpwards, KeepsNoEqualSteps) {
   EXPECT_EQ(scramble_upwards(0u, 0u, 1u), 0u);
   EXPECT_EQ(scramble_upwards(1u, 0u, 1u), 3u);
-  EXPECT_EQ(scramble_upwards(2u, 0u, 0u), 10u);  // a factor is made odd
+  EXPECT_EQ(scramble_upwards(2u, 0u, 0u), 10u);  // makes the factor odd
   EXPECT_EQ(scramble_upwards(1u, 2u, 1u), 21u);
 }
 
@@ -103,8 +104,8 @@ RC_GTEST_PROP(OwenSobol, HasOnePointInEachOfItsIntervalsInEveryDimension, (std::
   }
 }
 
-// Dimensions 0 and 1 are a (0, m, 2)-net: every elementary interval 2^-a x 2^-(m-a) has one point. So are the first
-// two of each padded four.
+// Dimensions 0 and 1 are a (0, m, 2)-net: every elementary interval 2^-a x 2^-(m-a) holds one
+// point. The first two dimensions of each padded group of four are one, too.
 RC_GTEST_PROP(OwenSobol, HasOnePointInEveryElementaryIntervalOfItsFirstTwoDimensions, (std::uint64_t seed)) {
   const int m = *rc::gen::inRange(0, 11);
   const Points points(seed, 1u << m, 74);
@@ -120,7 +121,7 @@ RC_GTEST_PROP(OwenSobol, HasOnePointInEveryElementaryIntervalOfItsFirstTwoDimens
   }
 }
 
-// The same four dimensions of the sequence, but in an order of their own.
+// The same four dimensions of the sequence, but in a different order.
 TEST(OwenSobol, MeetsItsPaddedDimensionsInAnotherOrder) {
   const Points points(1, 64, 72);
   const auto order = [&](std::size_t d) {

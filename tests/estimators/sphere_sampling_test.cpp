@@ -16,7 +16,7 @@ static_assert(LightSampling<SphereByArea<double>>);
 static_assert(LightSampling<SphereByVisibleHemisphere<double>>);
 static_assert(LightSampling<SphereByCone<Packet>>);
 
-// A sphere of radius 3 whose centre is 5 above: sin = 3/5, cos = 4/5.
+// A sphere of radius 3 with its centre 5 above the origin: sin = 3/5, cos = 4/5.
 const Light above({0, 0, 5}, 3);
 const Point origin(0, 0, 0);
 
@@ -28,7 +28,7 @@ TEST(SphereByCone, IsUniformInTheConeThatTheSphereFills) {
   EXPECT_EQ(light.pdf(origin, {0.61, 0, std::sqrt(1 - 0.61 * 0.61)}).value(), 0);
 }
 
-// On the axis the sphere is 5 - 3 = 2 away, at the edge of the cone sqrt(25 - 9) = 4.
+// The distance is 5 - 3 = 2 on the axis, and sqrt(25 - 9) = 4 at the edge of the cone.
 TEST(SphereByCone, KnowsTheDistance) {
   const SphereByCone<double> light(above);
   EXPECT_DOUBLE_EQ(light.sample(origin, {0, 0.7}).distance, 2);
@@ -40,7 +40,8 @@ TEST(SphereByArea, HasTheDensityOfAreaTurnedIntoSolidAngle) {
   EXPECT_NEAR(SphereByArea<double>(above).sample(origin, {0, 0}).density.value(), 4 / (36 * M_PI), 1e-15);
 }
 
-// A direction that cuts a chord of 0.02 off the rim: half of it over the radius is the cosine there.
+// A direction whose chord near the rim has the length 0.02. The cosine at the hit is half of that
+// over the radius.
 TEST(SphereByArea, HasADensityUpToTheRim) {
   const double along = std::sqrt(16 + 1e-4), distance = along - 0.01;
   const Vec3<double> grazing(std::sqrt(9 - 1e-4) / 5, 0, along / 5);
@@ -61,7 +62,7 @@ TEST(SphereByVisibleHemisphere, IsTwiceAsDenseOutsideAndTheSameInside) {
   EXPECT_DOUBLE_EQ(half.pdf({0, 1, 5}, up).value(), whole.pdf({0, 1, 5}, up).value());
 }
 
-// Inside, from 1 above the centre: 2 upwards, 4 downwards.
+// From inside, 1 above the centre: 2 upwards, 4 downwards.
 TEST(SphereLight, IsSeenInEveryDirectionFromInside) {
   const Point inside(0, 0, 6);
   for (const Vec3<double>& w : {Vec3<double>(0, 0, 1), Vec3<double>(0, 0, -1)}) {
@@ -73,7 +74,8 @@ TEST(SphereLight, IsSeenInEveryDirectionFromInside) {
   EXPECT_DOUBLE_EQ(SphereByCone<double>(above).sample({0, 0, 5}, {0.3, 0.2}).distance, 3);
 }
 
-// From its lowest point every direction that leads inwards meets the sphere again, the vertical one 6 above.
+// From the lowest point every direction that leads inwards hits the sphere again; the vertical one
+// does so 6 above.
 TEST(SphereLight, ShowsItsInnerFaceToItsSurface) {
   for (const Light& sphere : {above, Light({0, 0, 5}, 3, true)}) {
     const Point lowest(0, 0, 2);
@@ -121,7 +123,8 @@ TEST(SphereSampling, IsTheSameInPackets) {
   }
 }
 
-// In floats too a sample at the edges of the square is a number, and where it exists it is a direction.
+// In floats, too, a sample at the edges of the square is finite; if it exists, it is a unit
+// direction.
 TEST(SphereSampling, IsInItsDomainAtTheEdgesInPackets) {
   for (float distance : {0.0f, 0.5f, 1.0f, 1.000001f, 3.0f, 1e5f}) {
     const Vec3<Packet> from(Packet(0.0f), Packet(distance), Packet(0.0f));

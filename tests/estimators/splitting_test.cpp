@@ -46,7 +46,7 @@ TEST(Splitting, DeclaresItsBound) {
   EXPECT_EQ(Splitting(NextNumber<double>{3}, 0.25).bound(), (Bound{0, 12}));
 }
 
-// Runs that all give the same: the two outcomes, weighted by their probabilities, give it back.
+// All runs give the same value. The two outcomes, weighted by their probabilities, give it back.
 RC_GTEST_PROP(Splitting, LeavesTheMeanAsItWas, ()) {
   const double k = *rc::gen::inRange(1, 10'000) * 1e-3;
   const Splitting estimator(NextNumber<double>{}, k);
@@ -68,7 +68,7 @@ TEST(Splitting, RefusesANumberOfRunsThatIsNotPositive) {
   }
 }
 
-// Each lane of a packet is what the same numbers give in double.
+// Each lane agrees with double for the same numbers.
 TEST(Splitting, SplitsLaneByLane) {
   const StreamKey key(1, "splitting");
   PhiloxStream<Packet> packets(key, 0, 0);

@@ -16,7 +16,7 @@ RC_GTEST_PROP(Permute, IsAPermutation, (std::uint32_t seed, std::uint32_t rotati
   RC_ASSERT(*places.rbegin() == n - 1);
 }
 
-// With the hash as it is, every number goes to every place, under n rotations that are as likely.
+// For a fixed hash, n equally likely rotations take every number to every place.
 RC_GTEST_PROP(Permute, TakesANumberToEveryPlaceByItsRotation, (std::uint32_t seed)) {
   const std::uint32_t n = *rc::gen::inRange<std::uint32_t>(1, 300);
   const std::uint32_t i = *rc::gen::inRange<std::uint32_t>(0, n);
@@ -37,8 +37,8 @@ TEST(InStratum, StaysInItsStratumAtTheEdges) {
   EXPECT_EQ(in_stratum((1u << 28) - 1, 1u << 28, ones, ones), 1 - 0x1p-53);
 }
 
-// The strata share a step: floor(N / 3) = (2^53 - 2) / 3 for the last two N of the first and the first of the
-// second.
+// The two strata share a step of the grid: floor(N / 3) = (2^53 - 2) / 3 for the last two N of the
+// first stratum and the first N of the second.
 TEST(InStratum, BeginsWhereTheStratumBeforeEnds) {
   const double third = 0x1.5555555555554p-2;  // (2^53 - 2) / 3 steps of the grid
   EXPECT_EQ(in_stratum(0, 3, 0xFFFFFFFFu, 0xFFFFFFFFu), third);

@@ -47,7 +47,7 @@ RC_GTEST_PROP(InCell, StaysInItsCellButForRounding, ()) {
   RC_ASSERT(place <= (i + 1) / double(n) * (1 + 0x1p-52));
 }
 
-// Twice the first number, and the second, and the third: which is which shows in the digits.
+// A combination of the first three numbers, in which each shows in different digits.
 struct ThreeNumbers {
   using Scalar = double;
   double estimate(auto& source) const {
@@ -60,14 +60,15 @@ struct ThreeNumbers {
 
 TEST(StratifiedMean, PutsTheFirstTwoNumbersInEachCellOnce) {
   ScriptedSource source({0.5, 0.5, 0.5, 0.5, 0.5, 0.5});
-  // Two columns, one row: the first number is 0.25, then 0.75; the second and the third are as they come.
+  // Two columns, one row: the first number is 0.25, then 0.75; the second and the third do not
+  // change.
   EXPECT_EQ(StratifiedMean(ThreeNumbers{}, 2, 1).estimate(source), (25 + 5 + 0.5 + 75 + 5 + 0.5) / 2);
   EXPECT_TRUE(source.exhausted());
 }
 
 TEST(StratifiedMean, DividesTheSecondNumberByRows) {
   ScriptedSource source({0, 0, 0, 0, 0, 0, 0, 0, 0});
-  // Three rows: 0, 1/3, 2/3.
+  // Three rows start at 0, 1/3 and 2/3.
   EXPECT_DOUBLE_EQ(StratifiedMean(ThreeNumbers{}, 1, 3).estimate(source), 10.0 / 3);
   EXPECT_TRUE(source.exhausted());
 }
@@ -79,7 +80,7 @@ TEST(StratifiedMean, IsTheEstimatorOnOneCell) {
 
 TEST(StratifiedMean, KeepsTheBound) { EXPECT_EQ(StratifiedMean(ThreeNumbers{}, 4, 4).bound(), (Bound{0, 111})); }
 
-// A combinator that repeats numbers repeats those of the cell.
+// A combinator that copies the source repeats the numbers of the cell.
 TEST(StratifiedMean, FeedsACopyOfTheSourceTheSameNumbers) {
   ScriptedSource source({0.1, 0.2, 0.3, 0.4});
   const NextNumber<double> number;

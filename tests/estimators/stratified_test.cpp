@@ -44,7 +44,7 @@ RC_GTEST_PROP(Stratified, LeavesFewerCellsThanColumnsEmpty, ()) {
   RC_ASSERT(set.columns() * set.rows() - n < set.columns());
 }
 
-// Grids whose cells begin at numbers that double holds, so that a number's cell can be read off.
+// Uses grids whose cells begin at exact doubles, so that a number identifies its cell.
 RC_GTEST_PROP(Stratified, HasNoTwoPointsInOneCellOfAnyPair, (std::uint64_t seed, std::uint32_t replicate)) {
   const auto n = *rc::gen::element<std::uint32_t>(1, 2, 4, 7, 8, 13, 14, 15, 16, 61, 62, 63, 64, 1024);
   const Stratified<double> set(StreamKey(seed, "test"), replicate, n);

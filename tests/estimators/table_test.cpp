@@ -5,7 +5,7 @@
 namespace fairlight {
 namespace {
 
-// In registers, and beyond what they hold.
+// Sizes that fit into registers, and larger ones.
 TEST(Table, GivesEachLaneTheNumberOfItsIndex) {
   for (const std::size_t size : {1, 7, 8, 9, 16, 17, 32, 33, 1000}) {
     std::vector<double> squares;

@@ -41,7 +41,8 @@ RC_GTEST_PROP(Frame, TakesAVectorThereAndBack, ()) {
   RC_ASSERT((frame.to_local(frame.to_world(local)) - local).norm() <= 4e-15);
 }
 
-// 3 e: of a normal n that is too long by e, the square of a tangent's length by 2 e, and n itself by e.
+// The error is 3 e: if a normal n is too long by e, the squared length of a tangent is off by 2 e,
+// and n by e.
 RC_GTEST_PROP(Frame, IsOffByAsMuchAsItsNormal, ()) {
   constexpr double e = 1e-6;
   Vec3<double> normal = UniformHemisphere<double>().sample(*testing::unit_point());

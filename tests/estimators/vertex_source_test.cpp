@@ -15,7 +15,7 @@ namespace {
 static_assert(UniformSource<VertexSource<double, IndependentNumbers>, double>);
 static_assert(UniformSource<VertexSource<Packet, PaddedSobol>, Packet>);
 
-/// Block b of a vertex is 10 b, 10 b + 1, .. 10 b + 4; what is not made is -1.
+/// Block b of a vertex is 10 b, 10 b + 1, .. 10 b + 4. Numbers that are not computed are -1.
 struct CountedNumbers {
   template <class Real>
   SampleBlock<Real> block(const PathVertex<Real>&, std::uint32_t b, BlockPart part) const {
@@ -68,7 +68,7 @@ TEST(IndependentNumbers, AreTheWordsOfABlock) {
   EXPECT_EQ(lane[0], ((words[0] & 255) << 16 | (words[1] & 255) << 8 | (words[2] & 255)) * 0x1p-24);
 }
 
-// A lane's numbers are those of a packet that has its pixel, sample and vertex in every lane.
+// A lane's numbers equal those of a packet with the same pixel, sample and vertex in all lanes.
 template <class Numbers>
 void expect_lanes_to_be_alone(std::uint32_t n) {
   using W = Word<Packet>;
@@ -157,7 +157,7 @@ TEST(SampleSets, RefuseSizesThatAreNoPowersOfTwo) {
   for (const std::uint32_t n : {1u, 2u, 1024u}) EXPECT_NO_THROW(SampleSets{n}) << n;
 }
 
-// By a reading of lowbias32 in another language.
+// Expected values come from an implementation of lowbias32 in another language.
 TEST(MixedBits, AreThePublishedHash) {
   EXPECT_EQ(mixed_bits(1u), 0x688990C0u);
   EXPECT_EQ(mixed_bits(0xFFFFFFFFu), 0x6768824Au);

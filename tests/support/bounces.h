@@ -10,14 +10,16 @@
 
 namespace fairlight::testing {
 
-/// The numbers of a source at the edges of [0,1): 0, the smallest, a half and the largest, of Real's lanes.
+/// The edge numbers of a source, in the lanes of Real: 0, the smallest above 0, 1/2 and the largest
+/// below 1.
 template <class Real>
 std::array<Lane<Real>, 4> edge_numbers() {
   constexpr Lane<Real> tiny = ulp<Real> / 2;
   return {0, tiny, Lane<Real>(0.5), 1 - tiny};
 }
 
-/// Whether a bounce is a unit vector, with a density and a weight that are finite and not negative.
+/// Whether the direction of a bounce is a unit vector, and its density and weight are finite and
+/// nonnegative.
 template <class Real>
 bool is_in_order(const Bounce<Real>& bounce) {
   using std::abs;
@@ -31,8 +33,8 @@ bool is_in_order(const Bounce<Real>& bounce) {
 
 enum class Below { black, lit };
 
-/// At every edge number, in all combinations, a bounce off the surface is in order, and so are f and the density of its
-/// direction; below an opaque surface it weighs nothing.
+/// For every combination of edge numbers: the bounce passes is_in_order, and so do f and the
+/// density of its direction. Below an opaque surface a bounce weighs 0.
 template <Bsdf Surface>
 void check_edges(const Surface& surface, const Vec3<double>& towards, Below below) {
   using Real = typename Surface::Scalar;
@@ -49,7 +51,7 @@ void check_edges(const Surface& surface, const Vec3<double>& towards, Below belo
   }
 }
 
-/// The same for what `make(type_identity<Real>)` gives, in double, float and packets.
+/// The same for the surfaces that `make(type_identity<Real>)` makes in double, float and packets.
 template <class Make>
 void check_edges_in_all(const Make& make, const Vec3<double>& out, Below below = Below::black) {
   check_edges(make(std::type_identity<double>{}), out, below);

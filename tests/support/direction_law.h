@@ -12,9 +12,10 @@
 
 namespace fairlight::testing {
 
-/// What every law of directions, or of points given by unit normals, must do, for tests of each to call.
+/// Tests for any law of directions, or of points given by unit normals.
 
-/// Unit vectors where the density is positive and finite, at the edges of the square, in the law's own arithmetic.
+/// At the edges of the square, in the law's own arithmetic: samples are unit vectors, and their
+/// density is positive and finite.
 template <Sampler Law>
 void expect_unit_vectors_in_the_support(const Law& law) {
   using Real = typename Law::Scalar;
@@ -26,7 +27,7 @@ void expect_unit_vectors_in_the_support(const Law& law) {
   }
 }
 
-/// At the edges of the square the inverse is in it, to rounding.
+/// At the edges of the square, the inverse lies in the square, to rounding.
 template <Sampler Law>
 void expect_inverses_in_the_square(const Law& law) {
   using Real = typename Law::Scalar;
@@ -37,10 +38,11 @@ void expect_inverses_in_the_square(const Law& law) {
   }
 }
 
-/// A point of the square away from its edges, where differences can be taken.
+/// A point of the square, far enough from its edges for finite differences.
 inline Vec2<double> inner_point() { return Vec2<double>::Constant(0.01) + 0.98 * *unit_point(); }
 
-/// The warp maps areas of the square to solid angles: the part of dw/du x dw/dv along w is 1/p.
+/// The warp maps areas of the square to solid angles: the component of dw/du x dw/dv along w is
+/// 1/p.
 template <Sampler Law>
 void check_jacobian(const Law& law) {
   const Vec2<double> u = inner_point();
@@ -51,7 +53,7 @@ void check_jacobian(const Law& law) {
   RC_ASSERT(std::abs(std::abs(du.cross(dv).dot(w)) * law.pdf(w).value() - 1) < 1e-6);
 }
 
-/// The inverse gives the random numbers back, turns being the same a full turn on.
+/// The inverse returns the random numbers; the turn is compared modulo 1.
 template <Sampler Law>
 void check_round_trip(const Law& law, double tolerance) {
   const Vec2<double> u = inner_point();
@@ -60,9 +62,9 @@ void check_round_trip(const Law& law, double tolerance) {
   RC_ASSERT(std::min(off.y(), 1 - off.y()) <= tolerance);
 }
 
-/// What a packet makes of a few points of the square, a lane each, is what double makes of them: directions,
-/// densities and inverses. `make(type_identity<Real>)` gives the law; `tolerance` is relative for densities,
-/// absolute for the rest.
+/// Packets and double agree at a few points of the square, one per lane: in directions, densities
+/// and inverses. `make(type_identity<Real>)` makes the law; `tolerance` is relative for densities
+/// and absolute for the rest.
 template <class Make>
 void expect_packets_agree(const Make& make, double tolerance) {
   const auto law = make(std::type_identity<double>{});

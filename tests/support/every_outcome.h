@@ -7,14 +7,14 @@
 
 namespace fairlight::testing {
 
-/// Pixels whose draws are `spike` with probability p and else 0, each by itself.
+/// Pixels with independent draws: pixel i draws spike[i] with probability p[i], and else 0.
 struct SpikyPixels {
   std::vector<double> p;
   std::vector<double> spike;
   double mean(std::size_t pixel) const { return p[pixel] * spike[pixel]; }
 };
 
-/// Draws for an allocation, one at a time: `draw(pixel, sample)`.
+/// Converts `draw(pixel, sample)`, which gives one sample, to the draws that an allocation takes.
 template <class Draw>
 auto one_by_one(Draw draw) {
   return [draw](std::size_t pixel, std::uint64_t first, std::uint64_t n) {
@@ -24,9 +24,9 @@ auto one_by_one(Draw draw) {
   };
 }
 
-/// The exact mean of every pixel of `form.estimate(draw)`: the sum over all outcomes of the first `samples` draws
-/// that it asks for of each pixel, times their probability. No randomness. Throws std::logic_error when the form asks
-/// for more.
+/// The exact mean of every pixel of `form.estimate(draw)`, without randomness: the sum over all
+/// outcomes of the first `samples` draws of each pixel, times their probability. Throws
+/// std::logic_error if the form asks for more draws.
 template <class Form>
 std::vector<double> mean_over_every_outcome(const SpikyPixels& pixels, std::uint64_t samples, const Form& form) {
   const std::uint64_t bits = pixels.p.size() * samples;
@@ -35,7 +35,7 @@ std::vector<double> mean_over_every_outcome(const SpikyPixels& pixels, std::uint
     const auto hits = [&](std::size_t pixel, std::uint64_t place) {
       return (outcome >> (pixel * samples + place) & 1) != 0;
     };
-    std::vector<std::map<std::uint64_t, std::uint64_t>> asked(pixels.p.size());  // the place of a sample's number
+    std::vector<std::map<std::uint64_t, std::uint64_t>> asked(pixels.p.size());  // sample number -> its position
     const auto draw = [&](std::size_t pixel, std::uint64_t sample) {
       const std::uint64_t place = asked[pixel].try_emplace(sample, asked[pixel].size()).first->second;
       if (place >= samples) throw std::logic_error("a draw beyond those that are enumerated");
@@ -53,7 +53,7 @@ std::vector<double> mean_over_every_outcome(const SpikyPixels& pixels, std::uint
   return mean;
 }
 
-/// Counts the draws that a form asks for, and remembers whether it asked for one twice.
+/// Counts the draws that a form asks for, and whether it asks for one twice.
 class CountedDraws {
  public:
   explicit CountedDraws(std::size_t pixels) : seen_(pixels) {}
@@ -65,7 +65,7 @@ class CountedDraws {
       repeated_ = repeated_ || seen[sample];
       seen[sample] = true;
       ++total_;
-      return static_cast<double>((7 * pixel + 3 * sample) % 11);  // something that differs
+      return static_cast<double>((7 * pixel + 3 * sample) % 11);  // an arbitrary value that varies
     });
   }
   std::uint64_t total() const { return total_; }

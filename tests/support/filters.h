@@ -10,16 +10,16 @@
 
 namespace fairlight::testing {
 
-/// What holds of every pixel filter, in whatever arithmetic it is made: `make(type_identity<Real>)` gives it.
+/// Tests for any pixel filter, in any arithmetic; `make(type_identity<Real>)` makes the filter.
 
-/// The edges 0, 1/2 and 1 - 2^-53, or 1 - 2^-24, and the numbers next to them.
+/// 0, 1/2 and the largest number below 1 (1 - 2^-53, in floats 1 - 2^-24), and their neighbours.
 template <class Real>
 std::array<double, 8> edge_numbers() {
   const double step = static_cast<double>(ulp<Real>) / 2;
   return {0, step, 2 * step, 0.5 - step, 0.5, 0.5 + step, 1 - 2 * step, 1 - step};
 }
 
-/// Draws at the edges of the square are in the support, whose half width is `radius`.
+/// Draws at the edges of the square are in the support, which has half the width `radius`.
 template <class Real, class Make>
 void expect_in_support_at_the_edges(const Make& make, double radius) {
   const auto filter = make(std::type_identity<Real>{});
@@ -35,7 +35,8 @@ void expect_in_support_at_the_edges(const Make& make, double radius) {
   }
 }
 
-/// Lane by lane, packets give double's offsets to `offset_error` of the radius, and its density to `density_error`.
+/// Lane by lane, packets agree with double: offsets to `offset_error` times the radius, densities
+/// to `density_error`.
 template <class Make>
 void expect_packets_like_double(const Make& make, double radius, double offset_error, double density_error) {
   const auto filter = make(std::type_identity<double>{});
@@ -61,7 +62,7 @@ void expect_packets_like_double(const Make& make, double radius, double offset_e
   }
 }
 
-/// A radius that is not positive and finite is refused.
+/// A radius that is not positive and finite throws.
 template <template <class> class Filter>
 void expect_radius_refused() {
   for (double wrong : {0.0, -1.0, infinity<double>, std::nan("")}) {
@@ -70,7 +71,8 @@ void expect_radius_refused() {
   }
 }
 
-/// The warp's derivative along each axis is one over that axis's density: it inverts the distribution function.
+/// The derivative of the warp along each axis is one over that axis's density, so the warp inverts
+/// the CDF.
 template <class Filter>
 bool has_the_jacobian_one_over_its_density(const Filter& filter, const Vec2<double>& u, double tolerance) {
   constexpr double h = 1e-6;

@@ -7,31 +7,33 @@
 
 namespace fairlight::testing {
 
-/// What breaks the rules of the house under `root`, a sentence each; none when it is in order.
+/// Checks of the project's own rules, for the sources under `root`. Each returns one sentence per
+/// violation, and nothing if there is none.
 
-/// Includes may point down the chain stats <- estimators <- render <- validation <- tests, never up.
+/// Includes point down the chain stats <- estimators <- render <- validation <- tests, never up.
 std::vector<std::string> includes_up_the_chain(const std::filesystem::path& root);
 
-/// Headers of stats/ may use the standard library, Eigen, Boost.Math and each other; those that adapt a test
-/// framework, that framework as well.
+/// Headers of stats/ include only the standard library, Eigen, Boost.Math and each other. Headers
+/// that adapt a test framework may also include that framework.
 std::vector<std::string> foreign_includes_in_stats(const std::filesystem::path& root);
 
-/// Every component must open with Source, and with Formula, Measure, Domain and Random when it has
-/// a density; have a row in the registry, a test file of its header's name, and a section in
-/// docs/estimators.md. Whatever a header of estimators/ declares outside namespaces called detail
-/// is one, class or function, unless non_components.h says why not; so is a class of render/ that
-/// samples, sums, plays, estimates, or has a section.
+/// Every component names its Source, and with a density also Formula, Measure, Domain and Random.
+/// It has a row in the registry, a test file named after its header, and a section in
+/// docs/estimators.md. Components are all classes and functions that headers of estimators/ declare
+/// outside of namespace detail, unless non_components.h lists them. Classes of render/ are
+/// components if they sample, sum, play, estimate or have a section.
 std::vector<std::string> components_without_papers(const std::filesystem::path& root,
                                                    const std::set<std::string>& registered);
 
-/// Every section of docs/estimators.md is about components that are found.
+/// Every section of docs/estimators.md describes a component that exists.
 std::vector<std::string> sections_without_component(const std::filesystem::path& root);
 
-/// What non_components.h names exists, and has no row in the registry.
+/// Everything that non_components.h lists exists, and has no row in the registry.
 std::vector<std::string> stale_non_components(const std::filesystem::path& root,
                                               const std::set<std::string>& registered);
 
-/// Every line of the table of bad input, the last part of docs/estimators.md, names tests that exist, as `Suite.Test`.
+/// Every line of the table of bad input, the last part of docs/estimators.md, names existing tests
+/// as `Suite.Test`.
 std::vector<std::string> missing_tests_of_bad_input(const std::filesystem::path& root);
 
 }  // namespace fairlight::testing

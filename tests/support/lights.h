@@ -10,7 +10,7 @@
 
 namespace fairlight::testing {
 
-/// Radii and distances from 1e-3 to 1e5, spread evenly over their logarithms.
+/// Radii and distances from 1e-3 to 1e5, log-uniform.
 inline rc::Gen<double> length() {
   return rc::gen::map(rc::gen::inRange(-3000, 5001), [](int x) { return std::pow(10.0, x / 1000.0); });
 }
@@ -19,7 +19,7 @@ inline Vec3<Packet> in_packets(const Vec3<double>& v) {
   return {rounded<Packet>(v.x()), rounded<Packet>(v.y()), rounded<Packet>(v.z())};
 }
 
-/// The lanes of a packet, all of which are the same.
+/// The first lane of a packet whose lanes are all equal.
 inline double first_lane(const Packet& x) {
   std::array<double, lanes<Packet>> values{};
   store_lanes(x, values.data());
@@ -27,8 +27,8 @@ inline double first_lane(const Packet& x) {
   return values[0];
 }
 
-/// A sample, and the density of a direction that floats hold, are the same in packets as in double to 1e-5 (some ulp of a float, over
-/// the cosine at the light).
+/// Packets and double agree to 1e-5 in a sample, and in the density of a direction that floats can
+/// represent. The tolerance is a few ulp of a float, divided by the cosine at the light.
 template <class Light, class PacketLight>
 void expect_same_sample(const Light& light, const PacketLight& packet_light, const Vec3<double>& from,
                         const Vec2<double>& u) {
@@ -49,8 +49,9 @@ void expect_same_sample(const Light& light, const PacketLight& packet_light, con
   EXPECT_NEAR(first_lane(packet_light.pdf(in_packets(from), in_packets(held)).value()), again, 1e-5 * again);
 }
 
-/// The density of a direction that is too long by a small part e is off by at most 8 e, where the cosine at the light is a half or more:
-/// by area it goes as the square of the distance over the cosine, each of which is off by some e.
+/// If the length of a direction has a small relative error e, its density has a relative error of
+/// at most 8 e, where the cosine at the light is at least 1/2. By area the density is the squared
+/// distance over the cosine, and each has an error of a few e.
 template <class Light>
 void expect_density_off_by_as_much_as_the_direction(const Light& light, const Vec3<double>& from,
                                                     const Vec3<double>& direction) {
@@ -62,8 +63,8 @@ void expect_density_off_by_as_much_as_the_direction(const Light& light, const Ve
   }
 }
 
-/// At the edges of the square, among them 1 - 2^-24, a sample is finite, and where it exists a unit direction and a
-/// positive distance.
+/// At the edges of the square, including 1 - 2^-24, a sample is finite. If it exists, its direction
+/// is a unit vector and its distance positive.
 template <class PacketLight>
 void expect_finite_at_edges(const PacketLight& light, const Vec3<Packet>& from) {
   for (float x : {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-24f}) {

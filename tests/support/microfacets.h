@@ -7,12 +7,12 @@
 
 namespace fairlight::testing {
 
-/// Roughness from 1e-4 to 1, in equal parts of its logarithm.
+/// Roughness from 1e-4 to 1, log-uniform.
 inline rc::Gen<double> roughness() {
   return rc::gen::map(unit_number(), [](double u) { return std::pow(10, -4 * u); });
 }
 
-/// Directions above the surface, from normal to grazing at 1e-6.
+/// Directions above the surface, with z from 1 down to 1e-6.
 inline rc::Gen<Vec3<double>> direction_above() {
   return rc::gen::map(unit_point(), [](const Vec2<double>& u) {
     const double z = std::pow(10, -6 * u.x());
@@ -21,7 +21,7 @@ inline rc::Gen<Vec3<double>> direction_above() {
   });
 }
 
-/// Points of [0,1)^2 as floats have them.
+/// Points of [0,1)^2 in floats.
 inline rc::Gen<Vec2<float>> unit_point_float() {
   return rc::gen::map(
       rc::gen::pair(rc::gen::inRange(0, 1 << 24), rc::gen::inRange(0, 1 << 24)), [](const std::pair<int, int>& u) {

@@ -4,7 +4,7 @@
 
 namespace fairlight::testing {
 
-/// An estimator that a reader can follow: `scale` times the next number, in [0, scale).
+/// A simple estimator: `scale` times the next number, in [0, scale).
 template <class Real>
 struct NextNumber {
   using Scalar = Real;

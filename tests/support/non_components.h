@@ -5,11 +5,11 @@
 
 namespace fairlight::testing {
 
-/// What estimators/ holds that is no component, and why: what has no law, no mean and no
-/// reflectance of its own that could be claimed. All else that its headers declare is one, so a new
-/// header is a component until a line here says what it is instead.
+/// Headers, classes and functions of estimators/ that are not components, and why: they have no
+/// distribution, mean or reflectance to make a claim about. Every other declaration is a component,
+/// so a new header counts as one until it is listed here.
 
-/// Headers, with all that is in them.
+/// Headers, with everything in them.
 inline const std::map<std::string, std::string> headers_without_components{
     {"allocation_stages.h", "stages that the allocations are made of"},
     {"bound.h", "arithmetic of ranges"},

@@ -7,7 +7,8 @@
 #include <support/temporary_folder.h>
 #include <sys/wait.h>
 
-/// The program as a person meets it: exit status, one sentence on standard error, nothing half-written.
+/// Runs the program as a user does, to check its exit status, its one sentence on standard error,
+/// and that it leaves no incomplete file.
 namespace fairlight::testing {
 
 struct Result {

@@ -5,7 +5,7 @@
 
 namespace fairlight::testing {
 
-/// A source whose numbers a test writes down, and which notices when it is asked for more.
+/// A source with numbers given by the test. It throws if it is asked for more.
 class ScriptedSource {
  public:
   explicit ScriptedSource(std::vector<double> numbers) : numbers_(std::move(numbers)) {}

@@ -4,7 +4,7 @@
 
 namespace fairlight::testing {
 
-/// Of 5 x 3 pixels with two samples each, from `first` on, of seed 42.
+/// A picture of 5 x 3 pixels with two samples each, numbered from `first`, with seed 42.
 inline Picture small_picture(std::uint64_t first = 0) {
   RenderSettings settings;
   settings.width = 5;

@@ -10,7 +10,7 @@
 
 namespace fairlight::testing {
 
-/// A folder that is removed, with all that is in it, at the end of a test.
+/// A folder that is deleted with its contents at the end of a test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -21,8 +21,8 @@ inline rc::Gen<Vec2<double>> unit_point() {
                       [](const std::pair<double, double>& u) { return Vec2<double>(u.first, u.second); });
 }
 
-/// The corners and edges of [0,1)^2: 0, the smallest number of a source, a half and the largest, in all pairs; of
-/// double 2^-53 and 1 - 2^-53.
+/// The corners and edges of [0,1)^2: all pairs of 0, the smallest number above 0, 1/2 and the
+/// largest below 1. In double these are 2^-53 and 1 - 2^-53.
 template <class Real = double>
 std::vector<Vec2<Real>> edge_points() {
   constexpr Lane<Real> tiny = ulp<Real> / 2;
@@ -33,7 +33,7 @@ std::vector<Vec2<Real>> edge_points() {
   return points;
 }
 
-/// The lanes of a number.
+/// The lanes of a number, as doubles.
 template <class Real>
 std::array<double, lanes<Real>> lanes_of(const Real& x) {
   std::array<double, lanes<Real>> values{};
@@ -45,7 +45,7 @@ std::array<double, lanes<Real>> lanes_of(const Real& x) {
 
 namespace rc {
 
-// How rapidcheck prints a vector in a counterexample.
+// Prints a vector in rapidcheck's counterexamples.
 inline void showValue(const fairlight::Vec2<double>& u, std::ostream& out) { out << u.x() << ' ' << u.y(); }
 inline void showValue(const fairlight::Vec3<double>& v, std::ostream& out) { out << v.transpose(); }
 
