@@ -107,8 +107,8 @@ inline PointSetKind<Stratified> stratified_points() { return {"stratified", "Str
 inline PointSetKind<LatinHypercube> latin_points() { return {"latin", "LatinHypercube"}; }
 
 /// The row for the mean of an estimand over the points of a set, in packets, by replicates. Its
-/// margin is `margin_factor` times that from independent numbers: the errors of a point set are
-/// gross.
+/// margin is `margin_factor` times that from independent numbers, as the errors of a point set are
+/// large.
 template <template <class> class Set, class Draw>
 Claim replicates_claim(const Estimand<Draw>& e, const PointSetKind<Set>& points, double margin_factor = 2) {
   std::vector<std::string> subjects = e.subjects;

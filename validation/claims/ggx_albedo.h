@@ -9,17 +9,16 @@
 
 namespace fairlight {
 
-// The albedo of a GGX surface of white facets, by the formulas of the textbooks (Walter et al.
-// 2007; Heitz 2014), not those of the code under test.
-//
-// Facets of slopes (p, q) have normals m ~ (p, q, 1) and the law P(p, q) = 1 / (pi ax ay
-// (1 + p^2/ax^2 + q^2/ay^2)^2), with D(m) cos(m) dm = P dp dq. The albedo is the integral of D
-// G2 / (4 z_out z_in) z_in over `in`, where dm = d(in) / (4 out.m). So it is the integral of P (out
-// . (p, q, 1)) / z_out G2 over the slopes. With p = ax r cos(phi), q = ay r sin(phi) and
-// r = sinh(x), P dp dq = sinh(x) / cosh(x)^3 dx dphi / pi. Facets that reflect below the surface
-// add nothing. With out . (p, q, 1) = z + k r and p^2 + q^2 = g r^2, `in` is above the surface
-// where 2 (z + k r) > z (1 + g r^2), which holds up to a certain r.
+/// The albedo of a GGX surface of white facets, by the formulas of the textbooks (Walter et al.
+/// 2007; Heitz 2014), not those of the code under test.
 struct GgxAlbedo {
+  // Facets of slopes (p, q) have normals m ~ (p, q, 1) and the law P(p, q) = 1 / (pi ax ay
+  // (1 + p^2/ax^2 + q^2/ay^2)^2), with D(m) cos(m) dm = P dp dq. The albedo is the integral of D
+  // G2 / (4 z_out z_in) z_in over `in`, where dm = d(in) / (4 out.m). So it is the integral of P
+  // (out.(p, q, 1)) / z_out G2 over the slopes. With p = ax r cos(phi), q = ay r sin(phi) and
+  // r = sinh(x), P dp dq = sinh(x) / cosh(x)^3 dx dphi / pi. Facets that reflect below the surface
+  // add nothing. With out.(p, q, 1) = z + k r and p^2 + q^2 = g r^2, `in` is above the surface
+  // where 2 (z + k r) > z (1 + g r^2), which holds up to a certain r.
   double alpha_x, alpha_y;
 
   /// Lambda = (sqrt(1 + alpha^2 tan^2) - 1) / 2 in the azimuth of the direction.

@@ -4,16 +4,15 @@
 
 namespace fairlight {
 
-// The mean of a pixel under naive::PooledStages in two stages, in closed form. There are four
-// pixels, all neighbours of each other. Their draws are 1/p with probability p and else 0, so the
-// true mean is 1. After the pilot come 12 more samples. The stages are independent. The two samples
-// of a pilot are independent, or are strata of each other.
-//
-// Let the pilot of a pixel have m samples of sum S, and let n further samples follow. Given the
-// pilots n is fixed, so
-//     E[I | pilots] = (S + n 1) / (m + n).
-// The rest is a sum over S and n. Shares of 12 are integers in every case, so nothing is rounded.
+/// The mean of a pixel under naive::PooledStages in two stages, in closed form. There are four
+/// pixels, all neighbours of each other. Their draws are 1/p with probability p and else 0, so the
+/// true mean is 1. After the pilot come 12 more samples. The stages are independent. The two
+/// samples of a pilot are independent, or are strata of each other.
 class PooledSpikes {
+  // Let the pilot of a pixel have m samples of sum S, and let n further samples follow. Given the
+  // pilots n is fixed, so
+  //     E[I | pilots] = (S + n 1) / (m + n).
+  // The rest is a sum over S and n. Shares of 12 are integers in every case, so nothing is rounded.
  public:
   /// p is in (0,1). `both` is the probability that both samples of a pilot of two hit the spike:
   /// p^2 if they are independent; 0 if p <= 1/2 and each has its half of the unit interval, as in

@@ -23,7 +23,7 @@ struct WholeScene {
   Most most;
   double mean;
   double margin_factor;
-  double alone_factor = 1;  // the margin factor, times this, where only bounces find the lights; 0: no such row
+  double alone_factor = 1;  // factor on the margin of the row where only bounces find lights; 0: no such row
   double float_factor = margin_factor;
   bool by_sets = true;  // whether this file compares its sets of numbers
 
