@@ -40,10 +40,10 @@ class PixelDraws {
   PixelEstimator estimator_;
 };
 
-/// From point sets, in double: the samples of one call are the n points of a replicate of their own, so that stages
-/// stay independent. Were one sequence continued from stage to stage, its later points would depend on those that
-/// decided how many there are, and no form of allocation would be unbiased. Source: Owen 1997, "Monte Carlo variance
-/// of scrambled net quadrature" (replicates).
+/// From point sets, in double: the samples of one call are the n points of a replicate of their
+/// own, so that stages stay independent. Were one sequence continued from stage to stage, its later
+/// points would depend on those that decided how many there are, and no form of allocation would be
+/// unbiased. Source: Owen 1997, "Monte Carlo variance of scrambled net quadrature" (replicates).
 template <PointSet Set, class PixelEstimator>
 class PixelPointSets {
  public:

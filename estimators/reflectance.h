@@ -22,7 +22,8 @@ const Rgb<Real>& checked_reflectance(const Rgb<Real>& colour) {
 
 /// What facets reflect of what they get, by the cosine at the facet: a function of it, to an Rgb in [0,1].
 
-/// The same at any angle. Throws std::invalid_argument for a colour outside [0,1]. Source: elementary.
+/// The same at any angle. Throws std::invalid_argument for a colour outside [0,1].
+/// Source: elementary.
 template <class Real>
 class ConstantReflectance {
  public:

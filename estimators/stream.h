@@ -80,9 +80,9 @@ class StreamKey {
   Philox<std::uint32_t>::Key key_;
 };
 
-/// A UniformSource: the numbers of one sample, in [0,1), one dimension after the other. A number is a function of
-/// (key, unit, sample, dimension) and of nothing else; a unit is a pixel, a chain or a block of draws. Source: Salmon et
-/// al. 2011, whose function is Philox.
+/// A UniformSource: the numbers of one sample, in [0,1), one dimension after the other. A number is
+/// a function of (key, unit, sample, dimension) and of nothing else; a unit is a pixel, a chain or
+/// a block of draws. Source: Salmon et al. 2011, whose function is Philox.
 template <class Real>
 class PhiloxStream;
 

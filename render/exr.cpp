@@ -212,15 +212,15 @@ Picture read_parts(Imf::MultiPartInputFile& file) {
 }  // namespace
 
 void write_exr(const std::string& path, const Picture& picture) {
-  AtomicFile to_int(path);
+  AtomicFile output(path);
   {
-    ExrStream stream(whole, path);
+    ExrStream stream(output, path);
     const std::vector<Imf::Header> parts = headers(picture);
     Imf::MultiPartOutputFile file(stream, parts.data(), static_cast<int>(parts.size()));
     write_light(file, picture.film, picture.settings.points);
     write_sums(file, picture.film);
   }
-  whole.commit();
+  output.commit();
 }
 
 void write_exr(const std::string& path, int width, int height, const std::vector<Plane>& planes) {
@@ -236,14 +236,14 @@ void write_exr(const std::string& path, int width, int height, const std::vector
         const_cast<float*>(plane.values.data());  // a slice is read from here, though its type could be written to
     buffer.insert(plane.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(first), sizeof(float), row));
   }
-  AtomicFile to_int(path);
+  AtomicFile output(path);
   {
-    ExrStream stream(whole, path);
+    ExrStream stream(output, path);
     Imf::OutputFile file(stream, header);
     file.setFrameBuffer(buffer);
     file.writePixels(height);
   }
-  whole.commit();
+  output.commit();
 }
 
 Picture read_exr(const std::string& path) {

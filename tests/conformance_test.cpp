@@ -18,15 +18,17 @@ double margin() {
 }
 
 // The one loop: everything that is claimed of the kit, with a fresh seed.
-TEST(RunOptions, EveryClaimIsCertified) {
+TEST(Conformance, EveryClaimIsCertified) {
   const RunOptions run_options{{.seed = fresh_seed(), .margin = margin()}, hardware_threads()};
   const auto outcomes = run_claims(select_claims({}), run_options);
   print_outcomes(stdout, outcomes, run_options);
+  EXPECT_EQ(outcomes.size(), registry().size());
   EXPECT_EQ(overall(outcomes), Verdict::certified);
   const auto resting_on = [&](Guarantee guarantee) {
     return std::ranges::count_if(outcomes, [=](const Outcome& o) { return o.finding.guarantee == guarantee; });
   };
   const auto exact = resting_on(Guarantee::exact);
+  EXPECT_GT(exact, 0);
   EXPECT_GE(exact, 9 * resting_on(Guarantee::asymptotic))
       << "at least nine tenths of the statistical claims are exact";
   for (const Outcome& o : outcomes) {

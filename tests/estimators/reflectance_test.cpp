@@ -28,7 +28,8 @@ TEST(FresnelReflectance, IsKnownByHandAtNormalIncidence) {
   EXPECT_TRUE(reflectance(1).isApprox(Rgb<double>(0.5, 10.0 / 18, 0.04), 1e-15));
 }
 
-// Every lane has a cosine of its own. Both arithmetics round each of the steps, fewer than 20, by half an ulp of what is at most 2.
+// Every lane has a cosine of its own. Both arithmetics round each of the steps, fewer than 20, by
+// half an ulp of what is at most 2.
 template <template <class> class Reflectance, class... Colours>
 void expect_the_same_in_lanes(const Colours&... colours) {
   std::array<double, lanes<Packet>> cosines{};

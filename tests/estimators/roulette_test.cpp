@@ -25,8 +25,9 @@ TEST(RussianRoulette, NeverSurvivesZeroAndAlwaysSurvivesOne) {
   EXPECT_TRUE(RussianRoulette::play(1.0, 1 - 0x1p-53).alive);
 }
 
-// Of all numbers on a grid as many survive as the probability says, each is paid the same, and all together what they were. Each
-// probability is a multiple of the grid's step, so the count is exact; the pay is rounded once.
+// Of all numbers on a grid as many survive as the probability says, each is paid the same, and all
+// together what they were. Each probability is a multiple of the grid's step, so the count is
+// exact; the pay is rounded once.
 template <class Real>
 void expect_mean_kept() {
   constexpr int grid = 256;

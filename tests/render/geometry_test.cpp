@@ -68,8 +68,8 @@ RC_GTEST_PROP(Geometry, HidesWhatIntersectFinds, ()) {
   RC_ASSERT(geometry.visible(ray, reach, -1) == (nearest > reach));
 }
 
-// A box some 100 m wide, whose walls are spheres of radius 1e5 m, with a sphere and a rectangle in it. With a luminaire the spheres are
-// looked at from one side.
+// A box some 100 m wide, whose walls are spheres of radius 1e5 m, with a sphere and a rectangle in
+// it. With a luminaire the spheres are looked at from one side.
 Scene box(bool is_lit) {
   Scene scene;
   scene.add_wall({1, 40, 80}, {-1, 0, 0}, 1e5, grey, none);
@@ -81,7 +81,8 @@ Scene box(bool is_lit) {
   return scene;
 }
 
-// Whether a ray that is turned by no more than `angle` [rad] meets the surface, or nothing (-1), as does one beside an edge.
+// Whether a ray that is turned by no more than `angle` [rad] meets the surface, or nothing (-1), as
+// does one beside an edge.
 bool nearly_meets(const Geometry<double>& geometry, const Ray<double>& ray, double surface, double angle) {
   const Frame<double> about(ray.direction.normalized());
   for (int i = 0; i < 64; ++i) {
@@ -92,10 +93,11 @@ bool nearly_meets(const Geometry<double>& geometry, const Ray<double>& ray, doub
   return false;
 }
 
-// Each lane has a ray of its own and sees what a ray of doubles sees: the same surface, or beside its edge the one behind; as far away.
-// Along a ray from the middle of the box no term of a surface's level is above 150 m. Eight roundings of such, of 2^-24 each, move it by
-// 7e-5 m, and turn a ray to an edge 10 m away or more by 7e-6 rad. Where a ray meets a surface at a small cosine it goes
-// farther by so much over it, and, as the surface curves, at most twice that.
+// Each lane has a ray of its own and sees what a ray of doubles sees: the same surface, or beside
+// its edge the one behind; as far away. Along a ray from the middle of the box no term of a
+// surface's level is above 150 m. Eight roundings of such, of 2^-24 each, move it by 7e-5 m, and
+// turn a ray to an edge 10 m away or more by 7e-6 rad. Where a ray meets a surface at a small
+// cosine it goes farther by so much over it, and, as the surface curves, at most twice that.
 RC_GTEST_PROP(Geometry, IsTheSameInPackets, ()) {
   constexpr double moved = 8 * 150 * 0x1p-24, turned = moved / 10;
   const Scene scene = box(*rc::gen::arbitrary<bool>());

@@ -51,8 +51,8 @@ TEST(RenderImage, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-// How many pixels part from those of the widest instructions by more than a thousandth, which roundings do not come to where paths are
-// the same; and how many rays these took.
+// How many pixels part from those of the widest instructions by more than a thousandth, which
+// roundings do not come to where paths are the same; and how many rays these took.
 std::pair<int, std::uint64_t> parted(const RenderSettings& settings, const std::string& instructions,
                                      std::uint64_t seed) {
   const View view = view_of(settings);
@@ -68,10 +68,11 @@ std::pair<int, std::uint64_t> parted(const RenderSettings& settings, const std::
   return {parted, rays};
 }
 
-// Instruction sets round floats differently, which parts a path where a number that decides falls that close to what it is compared with:
-// within 5e-6 on either side, as 84 roundings come to, which all claims in packets allow for. With ten such comparisons, of the edges
-// that a ray passes and of roulette, one ray in 10^4 parts. The limit is the quantile of so many at 1e-6 for all comparisons; of numbers that
-// are not the same nearly all pixels part.
+// Instruction sets round floats differently, which parts a path where a number that decides falls
+// that close to what it is compared with: within 5e-6 on either side, as 84 roundings come to,
+// which all claims in packets allow for. With ten such comparisons, of the edges that a ray passes
+// and of roulette, one ray in 10^4 parts. The limit is the quantile of so many at 1e-6 for all
+// comparisons; of numbers that are not the same nearly all pixels part.
 TEST(RenderImage, FollowsTheSamePathsByEveryInstructionSet) {
   const std::uint64_t seed = fresh_seed();
   const double level = 1e-6 / static_cast<double>(scene_names().size() * 3 * instruction_sets().size());

@@ -33,8 +33,9 @@ bool admits(const RenderSettings& settings) {
 
 const std::string one_or_power = "one or power";
 
-// The settings, where those that say the same for a scene are given the same: without shadow rays it does not matter which are asked for,
-// of one luminaire there is no choice, and luminaires of equal power are chosen alike, to rounding.
+// The settings, where those that say the same for a scene are given the same: without shadow rays
+// it does not matter which are asked for, of one luminaire there is no choice, and luminaires of
+// equal power are chosen alike, to rounding.
 RenderSettings what_is_said_by(RenderSettings settings, const std::vector<Luminaire>& luminaires) {
   const auto as_bright = [&](const Luminaire& light) { return power_of(light) == power_of(luminaires[0]); };
   if (settings.direct == "none") settings.light_sampling = settings.which_light = "";
@@ -44,8 +45,9 @@ RenderSettings what_is_said_by(RenderSettings settings, const std::vector<Lumina
   return settings;
 }
 
-// The films of all values of two strategies in a scene: the same where the settings say the same, and only there. Few paths find a light
-// without shadow rays, so there are more samples where these may be left out.
+// The films of all values of two strategies in a scene: the same where the settings say the same,
+// and only there. Few paths find a light without shadow rays, so there are more samples where these
+// may be left out.
 void expect_each_pair_its_own(const RenderSettings& scene, std::size_t i, std::size_t j) {
   const std::vector<Luminaire> luminaires = view_of(scene).scene.luminaires();
   const auto same = [](const RenderSettings& a, const RenderSettings& b) {

@@ -155,8 +155,9 @@ TEST(BettingTest, RefusesAnEmptyBlock) {
   EXPECT_THROW(test.add({}), std::invalid_argument);
 }
 
-// What makes the test exact: whatever was drawn before, a process neither gains nor loses in the mean over the next draw, if that
-// has the mean that the process bets against. A bet that knew of the draw would gain. A coin has such a mean, and two outcomes.
+// What makes the test exact: whatever was drawn before, a process neither gains nor loses in the
+// mean over the next draw, if that has the mean that the process bets against. A bet that knew of
+// the draw would gain. A coin has such a mean, and two outcomes.
 RC_GTEST_PROP(BettingTest, BetsByThePastAlone, ()) {
   const auto past = *rc::gen::container<std::vector<bool>>(rc::gen::arbitrary<bool>());
   const double mean = 0.4, margin = 0.1, never = 1e-100;
@@ -180,7 +181,8 @@ RC_GTEST_PROP(BettingTest, BetsByThePastAlone, ()) {
   RC_ASSERT(is_fair(&Wealth::not_darker, mean - margin));
 }
 
-// An eighth of the draws before it, up to 0.9 variance / (margin range) with the range from the mean: 0.9 / 4 / (0.01 / 2).
+// An eighth of the draws before it, up to 0.9 variance / (margin range) with the range from the
+// mean: 0.9 / 4 / (0.01 / 2).
 TEST(BettingTest, LetsBlocksGrowUpToWhereTheirBetsWouldBeCapped) {
   BettingTest test(coin(0.01), alpha, beta);
   const auto size_after = [&](int draws) {

@@ -32,13 +32,14 @@ std::vector<std::string> lines_of(const fs::path& file) {
   return lines;
 }
 
-// A class or a function of a header that is for its users: its name, the comments above its declarations, and the class's body.
+// A class or a function of a header that is for its users: its name, the comments above its
+// declarations, and the class's body.
 struct Declaration {
   std::string name, comment, body;
 };
 
-// What begins a line of a header, at its very left, and declares nothing that could be a component: a type by another name is one by
-// its own.
+// What begins a line of a header, at its very left, and declares nothing that could be a component:
+// a type by another name is one by its own.
 bool declares_nothing(const std::string& line) {
   static const std::regex other(
       R"(^(?:template|requires|namespace|using|concept|enum|static_assert|extern|inline constexpr|constexpr|typedef)\b.*$)");
@@ -49,7 +50,8 @@ bool declares_nothing(const std::string& line) {
   return std::regex_match(line, other) || std::regex_match(line, operators) || std::regex_match(line, guide);
 }
 
-// Of a line that begins at the very left: the name that it declares; of one that is not understood all of it, lest something be missed.
+// Of a line that begins at the very left: the name that it declares; of one that is not understood
+// all of it, lest something be missed.
 std::string declared_by(const std::string& line) {
   static const std::regex type(R"(^(?:struct|class) (\w+).*$)");
   static const std::regex function(R"(^[\w:<>,&* ]+[ &*](\w+)\(.*$)");
@@ -92,8 +94,8 @@ std::vector<Declaration> declarations(const fs::path& header) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// Of render/, which composes: a class that is asked for numbers, or that the page has. One that looks up another while the program runs,
-// Chosen..., is none.
+// Of render/, which composes: a class that is asked for numbers, or that the page has. One that
+// looks up another while the program runs, Chosen..., is none.
 bool is_composed(const Declaration& d, const std::set<std::string>& sections) {
   static const std::vector<std::string> methods{" sample(",   " sum(",   " play(",
                                                 " estimate(", " next()", " radiance("};

@@ -16,10 +16,11 @@ std::vector<std::string> includes_up_the_chain(const std::filesystem::path& root
 /// framework, that framework as well.
 std::vector<std::string> foreign_includes_in_stats(const std::filesystem::path& root);
 
-/// Every component must open with Source, and with Formula, Measure, Domain and Random when it has a density; have a row in the registry, a
-/// test file of its header's name, and a section in docs/estimators.md. Whatever a header of estimators/ declares outside namespaces called
-/// detail is one, class or function, unless non_components.h says why not; so is a class of render/ that samples, sums, plays, estimates, or
-/// has a section.
+/// Every component must open with Source, and with Formula, Measure, Domain and Random when it has
+/// a density; have a row in the registry, a test file of its header's name, and a section in
+/// docs/estimators.md. Whatever a header of estimators/ declares outside namespaces called detail
+/// is one, class or function, unless non_components.h says why not; so is a class of render/ that
+/// samples, sums, plays, estimates, or has a section.
 std::vector<std::string> components_without_papers(const std::filesystem::path& root,
                                                    const std::set<std::string>& registered);
 

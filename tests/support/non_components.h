@@ -5,8 +5,9 @@
 
 namespace fairlight::testing {
 
-/// What estimators/ holds that is no component, and why: what has no law, no mean and no reflectance of its own that could be claimed. All
-/// else that its headers declare is one, so a new header is a component until a line here says what it is instead.
+/// What estimators/ holds that is no component, and why: what has no law, no mean and no
+/// reflectance of its own that could be claimed. All else that its headers declare is one, so a new
+/// header is a component until a line here says what it is instead.
 
 /// Headers, with all that is in them.
 inline const std::map<std::string, std::string> headers_without_components{
@@ -15,11 +16,12 @@ inline const std::map<std::string, std::string> headers_without_components{
     {"bsdf.h", "what a surface must have"},
     {"concepts.h", "what a component must have"},
     {"density.h", "a number and its measure"},
-    {"existing.h", "a division"},
+    {"safe_divide.h", "a division"},
     {"gauss.h", "a quadrature rule"},
     {"light_sample.h", "what a light must have"},
     {"packet.h", "arithmetic"},
     {"packet_words.h", "arithmetic"},
+    {"ranges.h", "checks of parameters"},
     {"real.h", "arithmetic"},
     {"strata.h", "permutations of cells: Stratified, LatinHypercube and PaddedStrata are made of them"},
     {"table.h", "a look-up"},
@@ -28,7 +30,7 @@ inline const std::map<std::string, std::string> headers_without_components{
 
 /// Classes and functions of other headers.
 inline const std::map<std::string, std::string> no_components{
-    {"Digits", "the words that a number is made of"},
+    {"Fixed64", "the words that a number is made of"},
     {"GgxLoss",
      "a fit of ggx_loss, held to it by its test: a part of EnergyCompensatedConductor, whose furnaces see it"},
     {"LensRay", "a ray and its weight: what ThinLens gives"},
@@ -57,6 +59,7 @@ inline const std::map<std::string, std::string> no_components{
     {"mixture_bound", "arithmetic of ranges"},
     {"nested_scramble", "a step of OwenSobol"},
     {"point_numbers", "which points lanes have"},
+    {"require_conductor", "a check"},
     {"reverse_bits", "a step of OwenSobol"},
     {"scramble_upwards", "a step of OwenSobol"},
     {"second_sobol_reversed", "a step of PaddedSobol"},

@@ -4,13 +4,14 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <support/run_seed.h>
 
 #include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 namespace {
 
-const Trial trial{"packet_control_variate_test", 1, 1e-6, 0.01, 0.01};
+const Trial trial{"packet_control_variate_test", testing::run_seed(), 1e-6, 0.01, 0.01};
 
 // 2u + 1, whose mean is 2 and whose range is [1, 3], off by so much in each arithmetic.
 auto ramp(double packets_bias, double double_bias) {
@@ -79,7 +80,7 @@ TEST(PacketControlVariate, AddsUpThePartsOfAChannel) {
     const Real x = Real(2) * source.next() + Real(1);
     return Rgb<Real>(x * rounded<Real>(1.005), x * rounded<Real>(lanes<Real> > 1 ? 1 : 1.001), x);
   };
-  const Trial wide{"packet_control_variate_test", 1, 1e-6, 0.01, 0.1};
+  const Trial wide{"packet_control_variate_test", testing::run_seed(), 1e-6, 0.01, 0.1};
   const Finding finding = found_independently(wide, {{2, 0, 4}, {2, 0, 4}, {2, 0, 4}}, draw);
   EXPECT_EQ(finding.verdict, Verdict::certified) << finding.note;
   EXPECT_LE(finding.interval.lo, 0.005);
@@ -105,7 +106,7 @@ TEST(PacketControlVariate, NamesADrawInDoubleThatIsOutOfItsRange) {
 TEST(PacketControlVariate, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   const auto draw = ramp(0, 0);
   const auto pays = [&](const Reference& reference, double margin) {
-    const Trial one{"packet_control_variate_test", 1, 1e-6, 0.01, margin};
+    const Trial one{"packet_control_variate_test", testing::run_seed(), 1e-6, 0.01, margin};
     return PacketControlVariate(one, {reference}, paired(draw)).pays().has_value();
   };
   EXPECT_TRUE(pays({2, 0, 4}, 1e-3));
@@ -127,7 +128,8 @@ TEST(PacketControlVariate, DoesNotPayWherePacketsDrawManyMoreNumbers) {
       for (int i = 0; i < (lanes < Real >> 1 ? more : 0); ++i) source.next();
       return ramp_of_the_first;
     };
-    return PacketControlVariate({"packet_control_variate_test", 1, 1e-6, 0.01, 1e-3}, two, paired(draw))
+    return PacketControlVariate({"packet_control_variate_test", testing::run_seed(), 1e-6, 0.01, 1e-3}, two,
+                                paired(draw))
         .pays()
         .has_value();
   };
@@ -136,7 +138,7 @@ TEST(PacketControlVariate, DoesNotPayWherePacketsDrawManyMoreNumbers) {
 }
 
 TEST(PacketControlVariate, TakesPointsWhereTheyVaryLess) {
-  const Trial fine{"packet_control_variate_test", 1, 1e-6, 0.01, 1e-3};
+  const Trial fine{"packet_control_variate_test", testing::run_seed(), 1e-6, 0.01, 1e-3};
   EXPECT_GT(PacketControlVariate(fine, two, paired(ramp(0, 0))).pays()->scheme.points, 1u);
 }
 
@@ -151,7 +153,7 @@ TEST(PacketControlVariate, LeavesMoreToDifferencesWhereTheyAreDear) {
       using std::floor;
       return Real(Real(2) * (ramps - floor(ramps)) + Real(1) + (lanes<Real> > 1 ? Real(0) : apart));
     };
-    const Trial fine{"packet_control_variate_test", 1, 1e-6, 0.01, 2.5e-4};
+    const Trial fine{"packet_control_variate_test", testing::run_seed(), 1e-6, 0.01, 2.5e-4};
     return PacketControlVariate(fine, {{2, -4, 8}}, paired(draw)).pays()->share;
   };
   EXPECT_EQ(share(0), PacketControlVariate::Plan::shares.front());
@@ -184,7 +186,7 @@ TEST(PacketControlVariate, LeavesTheWealthOfBothParts) {
 }
 
 TEST(PacketControlVariate, LeavesOneLadderAChannelAndFewDrawsInDouble) {
-  const Trial fine{"packet_control_variate_test", 1, 1e-6, 0.01, 2e-3};
+  const Trial fine{"packet_control_variate_test", testing::run_seed(), 1e-6, 0.01, 2e-3};
   for (const double bias : {0.0, 2e-3}) {  // of double alone
     Evidence evidence;
     Trial watched = fine;

@@ -1,26 +1,15 @@
 #include <cmath>
-#include <iostream>
 #include <map>
 
 #include <gtest/gtest.h>
+#include <support/run_seed.h>
 
-#include <fairlight/stats/seed.h>
 #include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 namespace {
 
-// Fresh numbers for every run, which prints the seed.
-std::uint64_t seed() {
-  static const std::uint64_t fresh = [] {
-    const std::uint64_t drawn = fresh_seed();
-    std::cout << "seed " << seed_text(drawn) << "\n";
-    return drawn;
-  }();
-  return fresh;
-}
-
-Trial at_margin(double margin) { return {"packet_mean_test", seed(), 1e-9, 0.01, margin}; }
+Trial at_margin(double margin) { return {"packet_mean_test", testing::run_seed(), 1e-6, 0.01, margin}; }
 const std::vector<Reference> two{{2, 0, 4}};
 constexpr double some = 1e5;  // draws
 

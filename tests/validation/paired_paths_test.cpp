@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/run_seed.h>
 
 #include <fairlight/validation/claims/paired_paths.h>
 
@@ -47,7 +48,7 @@ Finding found_in_quarters(const Trial& trial, double third) {
 
 TEST(CheckParts, HoldsEachPartToItsReference) {
   Evidence evidence;
-  Trial trial{"paired_paths_test", 1, 1e-6, 0.01, 0.05};
+  Trial trial{"paired_paths_test", testing::run_seed(), 1e-6, 0.01, 0.05};
   trial.evidence = &evidence;
   EXPECT_EQ(found_in_quarters(trial, 1).verdict, Verdict::certified);
   EXPECT_EQ(evidence.means.size(), 4u);
@@ -61,7 +62,7 @@ TEST(CheckParts, HoldsEachPartToItsReference) {
 
 TEST(CheckParts, EndsWithThePartThatIsToldTo) {
   Evidence evidence;
-  Trial trial{"paired_paths_test", 1, 1e-6, 0.01, 0.05};
+  Trial trial{"paired_paths_test", testing::run_seed(), 1e-6, 0.01, 0.05};
   trial.evidence = &evidence;
   trial.watch = [&](double done) { return done < 0.3; };
   EXPECT_EQ(found_in_quarters(trial, 0.9).verdict, Verdict::undecided);
@@ -74,7 +75,7 @@ TEST(CheckParts, EndsWithThePartThatIsToldTo) {
 }
 
 TEST(CheckParts, SaysHowMuchOfAllPartsIsDone) {
-  Trial trial{"paired_paths_test", 1, 1e-6, 0.01, 0.05};
+  Trial trial{"paired_paths_test", testing::run_seed(), 1e-6, 0.01, 0.05};
   std::vector<double> told;
   trial.watch = [&](double done) {
     told.push_back(done);
@@ -101,21 +102,30 @@ TEST(WholeOfParts, IsTheLargestBiasOfTheWorstVerdict) {
   EXPECT_EQ(whole_of_parts({right, noisy}).bias, -0.3);
 }
 
-// A strategy against itself brings nothing, whatever the path: also what the camera sees of the light.
+// A strategy against itself brings nothing, whatever the path: also what the camera sees of the
+// light. Against another it does on most paths.
 TEST(DirectDifference, OfAStrategyAndItselfIsNothing) {
   const View view = built_in_scene("cornell-simple");
   RenderSettings settings;
   settings.direct = "mis";
   settings.light_sampling = "cone";
   settings.max_depth = 3;
+  RenderSettings other = settings;
+  other.direct = "light";
   const auto tracer = paired_tracers(settings, settings, view.scene)(std::type_identity<double>{});
+  const auto between_two = paired_tracers(settings, other, view.scene)(std::type_identity<double>{});
+  int different = 0;
   const TracedScene<double> scene(view.scene);
   for (std::uint64_t i = 0; i < 256; ++i) {
     PhiloxStream<double> source(StreamKey(5, "paths"), 0, i);
     const double x = (static_cast<double>(i % 16) + 0.5) / 16, y = (static_cast<double>(i / 16) + 0.5) / 16;
-    const Rgb<double> difference = tracer.radiance<double>(scene, view.camera.ray<double>(x, y, 1, 1), source);
+    const Ray<double> ray = view.camera.ray<double>(x, y, 1, 1);
+    const Rgb<double> difference = tracer.radiance<double>(scene, ray, source);
     EXPECT_TRUE((difference == 0).all()) << x << " " << y;
+    PhiloxStream<double> again(StreamKey(5, "paths"), 0, i);
+    different += (between_two.radiance<double>(scene, ray, again) != 0).any() ? 1 : 0;
   }
+  EXPECT_GT(different, 128);
 }
 
 }  // namespace

@@ -12,7 +12,9 @@ TesterAudit brief() { return {fresh_seed(), 2, 200, 10, 10, 20000}; }
 
 TEST(TesterAudit, RightCodeFailsNoMoreOftenThanItMay) {
   const TesterAudit audit = brief();
-  for (const TesterOutcome& o : audit_calibration(audit)) {
+  const auto outcomes = audit_calibration(audit);
+  EXPECT_FALSE(outcomes.empty());
+  for (const TesterOutcome& o : outcomes) {
     EXPECT_TRUE(o.passed()) << o.name << ": " << o.failures << " of " << o.runs << ", seed "
                             << seed_text(audit.seed);
   }
@@ -20,7 +22,9 @@ TEST(TesterAudit, RightCodeFailsNoMoreOftenThanItMay) {
 
 TEST(TesterAudit, WrongCodeIsNotMissed) {
   const TesterAudit audit = brief();
-  for (const TesterOutcome& o : audit_power(audit)) {
+  const auto outcomes = audit_power(audit);
+  EXPECT_FALSE(outcomes.empty());
+  for (const TesterOutcome& o : outcomes) {
     EXPECT_TRUE(o.passed()) << o.name << ": " << o.failures << " of " << o.runs << ", seed "
                             << seed_text(audit.seed);
   }
@@ -28,7 +32,9 @@ TEST(TesterAudit, WrongCodeIsNotMissed) {
 
 TEST(TesterAudit, ASigmaFivePercentTooSmallIsFoundOut) {
   const TesterAudit audit = brief();
-  for (const UniformityOutcome& o : audit_uniformity(audit)) {
+  const auto outcomes = audit_uniformity(audit);
+  EXPECT_FALSE(outcomes.empty());
+  for (const UniformityOutcome& o : outcomes) {
     EXPECT_EQ(o.uniform, o.expected) << o.name << ", p = " << o.least << ", seed " << seed_text(audit.seed);
   }
 }
@@ -36,7 +42,9 @@ TEST(TesterAudit, ASigmaFivePercentTooSmallIsFoundOut) {
 TEST(TesterAudit, LedgersFindWhatRunsDoNot) {
   TesterAudit audit = brief();
   audit.power_seeds = 40;
-  for (const LedgerOutcome& o : audit_ledger(audit)) {
+  const auto outcomes = audit_ledger(audit);
+  EXPECT_FALSE(outcomes.empty());
+  for (const LedgerOutcome& o : outcomes) {
     EXPECT_TRUE(o.passed()) << "bias " << o.bias << ": " << o.ledgers_biased << " of " << o.ledgers
                             << " ledgers biased, " << o.median_finer << " times finer, seed "
                             << seed_text(audit.seed);

@@ -1,13 +1,14 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <support/run_seed.h>
 
 #include <fairlight/validation/checks/variances.h>
 
 namespace fairlight {
 namespace {
 
-const Trial trial{"variances_test", 1, 1e-6, 0.01, 0.1};
+const Trial trial{"variances_test", testing::run_seed(), 1e-6, 0.01, 0.1};
 
 // 0 or 1, of variance 1/4.
 VarianceArm coin(int n = 1) {

@@ -6,6 +6,7 @@
 
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/text.h>
+#include <fairlight/validation/checks/claim.h>
 #include <fairlight/validation/checks/draws.h>
 
 namespace fairlight {
