@@ -44,7 +44,7 @@ nlohmann::json faults_json(const std::vector<FaultOutcome>& outcomes) {
   return {{"faults", faults}, {"survivors", alive}};
 }
 
-// The matrix, a row for every fault in every claim that is concerned.
+// Prints a row for every fault in every claim that should catch it.
 void print(const std::vector<FaultOutcome>& outcomes) {
   std::printf("%-22s %-30s %-40s %-12s %10s %12s %8s %8s\n", "class", "fault", "claim", "kind", "effect", "draws",
               "seconds", "caught");
@@ -52,7 +52,7 @@ void print(const std::vector<FaultOutcome>& outcomes) {
     std::printf("%-22s %-30s %-40s %-12s %+10.2e %12llu %8.4f %4d/%d\n", o.fault->kind.c_str(),
                 o.fault->name.c_str(), o.claim->name.c_str(), o.claim->kind.c_str(), o.effect,
                 static_cast<unsigned long long>(o.draws), o.seconds, o.caught, o.seeds);
-    if (o.draws == 0) std::printf("    %s\n", o.note.c_str());  // refuted before the first
+    if (o.draws == 0) std::printf("    %s\n", o.note.c_str());  // it ended before the first draw
   }
 }
 

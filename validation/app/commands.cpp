@@ -7,13 +7,13 @@
 namespace fairlight {
 namespace {
 
-// The command that was being read when reading stopped.
+// The innermost command that the parser had reached.
 const CLI::App& innermost(const CLI::App& app) {
   const auto parsed = app.get_subcommands();
   return parsed.empty() ? app : innermost(*parsed.front());
 }
 
-// The outermost command that met a word which it does not know, or null.
+// The outermost command with a word that it does not know, or nullptr.
 const CLI::App* with_unknown_word(const CLI::App& app) {
   if (app.remaining_size() > 0) return &app;
   const auto parsed = app.get_subcommands();
@@ -38,7 +38,8 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
-// Of "--bounc=uniform", the option alone.
+// The sentence for an unknown word. Of an option such as "--bounc=uniform" it quotes "--bounc"
+// alone.
 std::string unknown(const CLI::App& app, const std::string& word) {
   if (word.starts_with("-")) {
     const std::string option = word.substr(0, word.find('='));
@@ -68,7 +69,7 @@ void add_commands(CLI::App& program, Command& command) {
 
 std::string usage_problem(const CLI::App& program, const CLI::ParseError& error) {
   const CLI::App* app = with_unknown_word(program);
-  // A word that is not known may be why another is missing.
+  // An unknown word may be the reason that a required one is missing.
   const bool may_be_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                               dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   if (app != nullptr && may_be_unknown) {

@@ -22,11 +22,11 @@ void add_judges_command(CLI::App& audit, Command& command);
 /// Adds `audit` to the program.
 void add_audit_command(CLI::App& program, Command& command);
 
-/// Names the program, and adds all its commands with their help.
+/// Sets the name of the program, and adds all its commands with their help.
 void add_commands(CLI::App& program, Command& command);
 
-/// What is wrong with a command line that could not be parsed, in one sentence: an option or a
-/// command that does not exist is answered with the nearest ones.
+/// Says in one sentence what is wrong with a command line that could not be parsed. For an unknown
+/// option or command it suggests the nearest ones.
 std::string usage_problem(const CLI::App& program, const CLI::ParseError& error);
 
 /// The sentence for a command line that names no command, or only the first of several words.

@@ -26,7 +26,8 @@ std::string margin_text(double margin) {
   return formatted("%.1e", margin);
 }
 
-// By the share of the budget and the miss rate that a claim has in a run of this program's whole registry.
+// Prints the ledger. Uses the level and the miss rate that each claim has in a run of the whole
+// registry of this program.
 int show(const std::string& path) {
   Ledger ledger;
   add_and_tell(ledger, path);
@@ -50,7 +51,8 @@ int show(const std::string& path) {
   return biased ? 1 : 0;
 }
 
-// What takes the place of a ledger takes with it what others add meanwhile.
+// Refuses an output that is also an input. Replacing a ledger would lose what other runs append to
+// it meanwhile.
 void check_output(const std::vector<std::string>& inputs, const std::string& output) {
   namespace fs = std::filesystem;
   AtomicFile::check_writable(output);

@@ -34,7 +34,8 @@ struct MutateOptions {
   int threads = hardware_threads();
 };
 
-// The estimators and the path tracer: what the claims of the registry are about.
+// The files of the path tracer to mutate. With all of estimators/, they are the subjects of the
+// claims.
 constexpr std::array tracer{"camera",    "direct_light", "geometry",     "light_table", "path_tracer",
                             "rectangle", "sphere",       "surface_bsdf", "traced_scene"};
 
@@ -62,7 +63,7 @@ std::vector<Mutant> all_mutants(const std::string& root, const std::vector<std::
   return mutants;
 }
 
-// What became of mutants, a line of JSON each, so that a run that is ended goes on where it was.
+// The fates of mutants, one line of JSON for each, so that a run that was stopped can continue.
 class Results {
  public:
   explicit Results(const std::string& path) : path_(path) {
@@ -162,7 +163,8 @@ int mutate(const MutateOptions& options) {
   command += formatted(" --sample %zu --seed %s --files %zu", options.sample, seed.c_str(), options.files);
   if (!options.report.empty()) write_whole(options.report, report(mutants, results, command));
   const std::size_t survived = count(mutants, results, Fate::Kind::survived);
-  const bool kept = 20 * survived <= survived + count(mutants, results, Fate::Kind::killed);  // 95 % are killed
+  const bool kept =
+      20 * survived <= survived + count(mutants, results, Fate::Kind::killed);  // at least 95 % killed
   return kept ? 0 : 1;
 }
 

@@ -23,7 +23,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-// Words in lines that end before the last column, all but the first of them indented.
+// Wraps words into lines that end before the last column. All lines but the first are indented.
 std::string wrapped(const std::vector<std::string>& words, std::size_t indent) {
   std::string lines;
   std::size_t column = indent;
@@ -42,7 +42,7 @@ std::string wrapped(const std::vector<std::string>& words, std::size_t indent) {
   return lines;
 }
 
-// A name on the left, what it is on the right.
+// A line of the help: the name on the left, its description on the right.
 std::string entry(const std::string& name, const std::vector<std::string>& what) {
   std::string line = "  " + name;
   const bool fits = line.size() + 2 <= help_column;
@@ -110,7 +110,7 @@ CLI::Validator number_in(const NumberRange& range) {
         double value = 0;
         const bool is_number = CLI::detail::lexical_cast(text, value);
         const bool above = value > range.low || (range.from_low && value == range.low);
-        if (is_number && above && value < range.high) return std::string();  // which a NaN is not
+        if (is_number && above && value < range.high) return std::string();  // a NaN fails
         return "\"" + text + "\" is not a finite number " + in_words(range);
       },
       "");

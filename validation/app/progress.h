@@ -11,7 +11,8 @@
 
 namespace fairlight {
 
-/// What a progress bar says when so much is done after so many seconds: "verify [#####...............]  25 %, 35 s left".
+/// The text of a progress bar for the fraction done and the seconds so far: "verify
+/// [#####...............]  25 %, 35 s left".
 inline std::string progress_line(const std::string& what, double done, double seconds) {
   constexpr int width = 30;
   const int full = static_cast<int>(width * done);
@@ -24,8 +25,8 @@ inline std::string progress_line(const std::string& what, double done, double se
          (minutes ? " min left" : " s left");
 }
 
-/// A line on the terminal that shows the fraction done and the time left; silent where standard error is no
-/// terminal.
+/// A progress bar on the terminal, with the fraction done and the time left. Prints nothing if
+/// standard error is not a terminal.
 inline Progress progress_bar(const std::string& what) {
   if (isatty(STDERR_FILENO) == 0) return {};
   using Clock = std::chrono::steady_clock;

@@ -24,7 +24,8 @@ namespace {
 constexpr unsigned long most_shards = 65536;
 constexpr std::uint32_t usual_points = 16;
 
-// Shard i of N holds sets (i-1) sets / N to i sets / N, of so many points each.
+// The samples of shard i of N: the sets from (i-1) sets / N to i sets / N, each of `points`
+// samples.
 SampleRange shard_range(const std::string& shard, std::uint64_t first, std::uint64_t sets, std::uint64_t points) {
   unsigned long i = 0;
   unsigned long n = 0;
@@ -46,7 +47,7 @@ Picture start(const RenderOptions& options) {
   if (options.resume.empty()) return {options.settings, {}, Film(options.settings.width, options.settings.height)};
   Picture picture = read_exr(options.resume);
   Picture empty{options.settings, {}, Film(picture.film.width(), picture.film.height())};
-  empty.merge(picture);  // refuses a picture of something else
+  empty.merge(picture);  // throws for a picture of other settings
   return empty;
 }
 
@@ -78,7 +79,8 @@ bool same_file(const std::string& a, const std::string& b) {
   return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
 }
 
-// No output may overwrite another, nor the picture that is resumed, but for the one that takes its place.
+// Refuses an output that would overwrite another output or the resumed picture. Only -o may replace
+// the resumed picture.
 void check_outputs(const RenderOptions& options) {
   const std::vector<std::pair<std::string, std::string>> files{
       {"-o", options.output}, {"--png", options.png}, {"--json", options.json}, {"--resume", options.resume}};

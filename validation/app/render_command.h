@@ -6,10 +6,10 @@
 
 namespace fairlight {
 
-/// What the command line asked for; returns the exit status.
+/// The command that the command line asked for. Returns the exit status.
 using Command = std::function<int()>;
 
-/// Adds `render`, `merge` and `scenes` to the program. The one that was asked for is left in `command`.
+/// Adds `render`, `merge` and `scenes` to the program. Parsing stores the chosen one in `command`.
 void add_render_commands(CLI::App& program, Command& command);
 
 }  // namespace fairlight

@@ -9,10 +9,10 @@
 
 namespace fairlight {
 
-/// Of a pixel: the EXR's layer counts in 32 bits.
+/// The most samples of a pixel: the sample count in the EXR has 32 bits.
 inline constexpr std::uint64_t most_samples = 0xFFFFFFFF;
 
-/// What `fairlight render` is asked for.
+/// The options of `fairlight render`.
 struct RenderOptions {
   RenderSettings settings;
   std::uint64_t spp = 0;
@@ -22,7 +22,7 @@ struct RenderOptions {
   int threads = hardware_threads();
 };
 
-/// Adds them to the command.
+/// Adds these options to the command.
 void add_render_options(CLI::App& app, RenderOptions& options);
 
 }  // namespace fairlight

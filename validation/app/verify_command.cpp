@@ -44,7 +44,8 @@ int exit_status(Verdict verdict) { return verdict == Verdict::certified ? 0 : ve
 
 bool certified(const Outcome& outcome) { return outcome.finding.verdict == Verdict::certified; }
 
-// What the table does not say of itself: what a finer margin costs, as draws go with its inverse square, and how much rests on limits.
+// Prints what the table leaves out: how many claims rest on limit theorems, and the cost of a finer
+// margin, as the number of draws grows with the inverse square of the margin.
 void print_depth(const std::vector<Outcome>& outcomes, const RunOptions& run_options, double seconds) {
   const auto resting_on = [&](Guarantee guarantee) {
     return std::count_if(outcomes.begin(), outcomes.end(),
@@ -85,13 +86,14 @@ void print_verdict(const std::vector<Outcome>& outcomes, const RunOptions& run_o
   if (verdict == Verdict::certified) print_depth(outcomes, run_options, seconds);
 }
 
-// A report without pictures would not show what failed: it has a folder for them beside it.
+// The folder of the pictures. A report needs them to show what failed, so by default it gets a
+// folder beside it.
 std::string artifact_folder(const VerifyOptions& options) {
   if (!options.artifacts.empty() || options.report.empty()) return options.artifacts;
   return std::filesystem::path(options.report).replace_extension().string() + "_artifacts";
 }
 
-// Throws std::invalid_argument where two options name the same file.
+// Throws std::invalid_argument if two options name the same file.
 void require_different(const std::vector<std::pair<std::string, std::string>>& options) {
   namespace fs = std::filesystem;
   std::map<fs::path, std::string> taken;
@@ -111,7 +113,7 @@ void check_outputs(const VerifyOptions& options) {
   require_different({{"--json", options.json}, {"--report", options.report}, {"--ledger", options.ledger}});
 }
 
-// For each claim that failed, and each that was asked for by its whole name.
+// Writes the artifacts of each claim that failed, and of each that the user gave by its whole name.
 std::map<std::string, std::vector<std::string>> write_all_artifacts(const VerifyOptions& options,
                                                                     const std::vector<Outcome>& outcomes,
                                                                     const RunOptions& run_options) {
@@ -142,7 +144,7 @@ void write_outputs(const VerifyOptions& options, const std::vector<Outcome>& out
   }
 }
 
-// The widest instruction set for no name, each that runs here for "all".
+// The instruction sets to run: the widest for an empty name, all that this machine has for "all".
 std::vector<std::string> chosen_instructions(const std::string& name) {
   if (name == "all") return claimed_instructions();
   return {registry(name).front().instructions};

@@ -9,7 +9,7 @@
 namespace fairlight {
 namespace {
 
-// How one seed went.
+// The result of one seed.
 struct Capture {
   Finding finding;
   double seconds = 0;
@@ -21,7 +21,7 @@ Capture capture(const Claim& claim, const Trial& trial) {
   return {finding, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
-// What became of a fault in a claim, in words.
+// The result of a fault in a claim, in words.
 std::string in_words(const FaultOutcome& o) {
   return formatted("%s: caught %d times of %d, with a bias of %.1e at a margin of %.1e", o.claim->name.c_str(),
                    o.caught, o.seeds, o.effect, o.margin);

@@ -7,20 +7,22 @@
 #include <fairlight/stats/moments.h>
 #include <fairlight/validation/audit/judges.h>
 
-// The rules of others in our words. What they do with a statistic that is not a number follows from how they compare, and is kept.
+// Other projects' rules, written anew. Where a statistic is NaN, the result follows from the
+// direction of their comparison, which is kept.
 namespace fairlight {
 namespace {
 
 using Draws = std::span<const double>;
 
-// The level of each of n independent tests of which any fails with probability `level` (Sidak 1967).
+// The level of each of n independent tests, where right code fails any of them with probability
+// `level` (Sidak 1967).
 double sidak(double level, std::size_t n) { return 1 - std::pow(1 - level, 1 / static_cast<double>(n)); }
 
-// A spread cannot be estimated from fewer: there is no test.
+// A standard deviation needs two draws: with fewer there is no test.
 bool too_few(Draws draws) { return draws.size() < 2; }
 
-// Whether the mean is 1 to within so many standard errors. Draws that are all 1 are right, where the projects' strict comparisons,
-// which were not made for constants, would say no.
+// Whether the mean is 1 to within this many standard errors. Draws that are all 1 pass. The strict
+// comparisons of the projects would fail them, but they were not written for constants.
 bool within(Draws draws, double standard_errors) {
   const Moments moments = Moments::of(draws);
   return std::abs(moments.mean() - 1) <= standard_errors * moments.standard_error();

@@ -15,11 +15,11 @@
 namespace fairlight {
 namespace {
 
-// A claim with right code, and the faults' versions of it.
+// A claim about right code, and its versions with faults.
 struct Row {
   const Claim* right;
   std::vector<const Claim*> wrong;
-  std::vector<const Fault*> faults;  // of each wrong one
+  std::vector<const Fault*> faults;  // the fault of each wrong one
 };
 
 std::vector<Row> rows_of_catalogue(const RunOptions& run_options) {
@@ -38,7 +38,7 @@ std::vector<Row> rows_of_catalogue(const RunOptions& run_options) {
   return rows;
 }
 
-// The first n draws of a test of means, in units of what is claimed of them.
+// The first n draws of a test of means, shifted and scaled so that the reference mean is 1.
 std::vector<std::vector<double>> first_draws(const std::vector<Reference>& references, const DrawBlock& draw_block,
                                              std::uint64_t n) {
   std::vector<std::vector<double>> channels(references.size(), std::vector<double>(n));
@@ -49,13 +49,13 @@ std::vector<std::vector<double>> first_draws(const std::vector<Reference>& refer
   return channels;
 }
 
-// What is known of a row before any judgement.
+// The size and the variances of a row, found before any judgement.
 struct Plan {
   std::uint64_t draws = 0;
   std::vector<double> variances;
 };
 
-// As many samples a pixel as Mitsuba's reference pictures have, by default.
+// The default number of samples per pixel of the reference pictures of Mitsuba.
 constexpr std::uint64_t reference_draws = 32'000;
 
 Plan plan_of(const Row& row, Trial trial) {
@@ -74,7 +74,7 @@ Plan plan_of(const Row& row, Trial trial) {
   return plan;
 }
 
-// Who failed a run: fairlight, then the others in their order.
+// Whether each judge failed a run: fairlight first, then the others in their order.
 struct Failures {
   std::vector<char> stopped, planned;
 };
@@ -102,7 +102,7 @@ Failures opinions_of(const Claim& claim, Trial trial, const Plan& plan) {
   return opinions;
 }
 
-// One seed of a row.
+// The results of one seed of a row.
 struct SeedResult {
   Failures right;
   std::vector<Failures> wrong;
@@ -113,7 +113,7 @@ void count(Share& share, bool failed) {
   ++share.of;
 }
 
-// hearings[row * seeds + seed]
+// Gathers the results of one judge. Those of (row, seed) are in hearings[row * seeds + seed].
 JudgeOutcome outcome_of(std::size_t judge, std::string name, const std::vector<Row>& rows,
                         const std::vector<SeedResult>& hearings, std::size_t seeds) {
   JudgeOutcome outcome{std::move(name)};

@@ -8,32 +8,34 @@
 
 namespace fairlight {
 
-/// A count out of several.
+/// A count out of a total.
 struct Share {
   int count = 0;
   int of = 0;
 };
 
-/// How one judge fared, all on the same draws: those that the core test took to its verdict, and as many as it takes to certify the
-/// right code, a number that was found with another seed.
+/// The results of one judge. All judges get the same draws, in two sizes: those that fairlight took
+/// to its verdict, and a planned number, which fairlight took to certify right code with another
+/// seed.
 struct JudgeOutcome {
   std::string name;
-  Share alarms{}, alarms_planned{};  ///< runs of right code that it failed
-  Share suites{};                    ///< seeds with which it failed any row of right code, of planned size
-  Share kills{}, kills_planned{};    ///< runs of wrong code that it failed
-  Share faults{};  ///< faults that it failed with every seed in one of their rows, of planned size
-  std::vector<std::string> missed{};  ///< the other faults
+  Share alarms{}, alarms_planned{};   ///< failed runs of right code
+  Share suites{};                     ///< seeds with a failed row of right code, in the planned size
+  Share kills{}, kills_planned{};     ///< failed runs of wrong code
+  Share faults{};                     ///< faults with a row that failed with every seed, in the planned size
+  std::vector<std::string> missed{};  ///< the faults that `faults` does not count
 };
 
 struct JudgesOutcome {
   std::vector<JudgeOutcome> judges;  ///< fairlight first
-  int rows;                          ///< claims about a mean that the catalogue's faults break
-  int cells;                         ///< pairs of such a fault and such a claim
-  double planned_draws;              ///< of all rows together
+  int rows;                          ///< claims about a mean that faults of the catalogue break
+  int cells;                         ///< pairs of such a claim and a fault
+  double planned_draws;              ///< the sum over all rows
 };
 
-/// Runs the claims about means that the catalogue's faults break, with right code and with wrong, and lets everybody judge the draws.
-/// Faults that are known to survive are left out. The sizes come from the seed, the runs from those after it. Exact to the seed.
+/// Runs the claims about means that faults of the catalogue break, with right and with wrong code,
+/// and gives the draws to every judge. Leaves out faults that are known to survive. The first seed
+/// gives the planned sizes, the next ones the runs. The seeds determine the results.
 JudgesOutcome audit_judges(const RunOptions& run_options, int seeds, const Progress& progress = {});
 
 }  // namespace fairlight

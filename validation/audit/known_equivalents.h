@@ -6,8 +6,9 @@
 
 namespace fairlight {
 
-/// Why a mutant does what the right source does, though the compiler cannot know it; empty for all others. They are few, and found by looking at
-/// survivors; each is known by its file and its lines, for as long as these stand.
+/// The reason that a mutant behaves as the right source does although the compiler cannot know it,
+/// or an empty string. The list is short, and comes from looking at survivors. An entry names a
+/// file and a line, and applies as long as the line is unchanged.
 std::string known_equivalence(const Mutant& mutant);
 
 }  // namespace fairlight

@@ -19,11 +19,11 @@ constexpr double a_third = 1.0 / 3;
 struct Fate {
   int runs_biased = 0;
   int runs_certified = 0;
-  bool biased = false;  // at any time
+  bool biased = false;  // after any run
   double finer = 0;
 };
 
-// A ledger's runs, one after the other, with seeds that no other has.
+// Runs a ledger's tests one after the other, with seeds that no other ledger uses.
 Fate fate_of(std::uint64_t seed, double bias) {
   EvidenceSum evidence_sum;
   Fate fate;

@@ -14,15 +14,16 @@ using Replacement = std::function<std::string(const std::string&)>;
 
 struct Rule {
   std::string kind;
-  std::regex pattern;       // of which the first group is replaced
-  Replacement replacement;  // by what
+  std::regex pattern;       // the first group is replaced
+  Replacement replacement;  // gives the new text
 };
 
 Replacement always(const std::string& text) {
   return [text](const std::string&) { return text; };
 }
 
-// "1" becomes "1.02": no suffix, since a whole number with an f is none.
+// Makes a number 2 % larger: "1" becomes "1.02". It has no suffix f, since a whole number with an f
+// is not a literal.
 std::string larger(const std::string& number) {
   const double value = std::stod(number);
   return formatted("%.6g", value == 0 ? 0.02 : 1.02 * value);
@@ -67,7 +68,7 @@ bool is_check(const std::string& line) {
   return std::regex_search(line, check);
 }
 
-// The text with blanks for what is no code, as long as it was.
+// The text with blanks in place of comments, strings and characters. The length stays the same.
 std::string code_of(const std::string& text) {
   static const std::regex no_code(R"(//[^\n]*|/\*[^*]*\*/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])')");
   std::string code = text;
@@ -90,7 +91,7 @@ struct Line {
 
 bool throws(const Line& line) { return line.code.find("throw ") != std::string::npos; }
 
-// The masks that checks are about: what stands in a condition at or right above a throw.
+// The masks that checks test: those in a condition on the line of a throw or on the line above.
 std::set<std::string> masks_of_checks(const std::vector<Line>& lines) {
   static const std::regex mask(R"(\b(?:all|any)\((\w+)\b)");
   std::set<std::string> names;
@@ -102,8 +103,9 @@ std::set<std::string> masks_of_checks(const std::vector<Line>& lines) {
   return names;
 }
 
-// Whether a line belongs to a check: it throws, or the next one does, or it adds to a mask that a check is about, as in
-// `inside = inside && ...`, until that statement ends.
+// Whether each line belongs to a check. It does if it throws, if the next line throws, or if it
+// adds to a mask that a check tests, as `inside = inside && ...` does, up to the end of that
+// statement.
 std::vector<bool> lines_of_checks(const std::vector<Line>& lines) {
   static const std::regex addition(R"(\b(\w+) = \1 && )");
   const std::set<std::string> masks = masks_of_checks(lines);

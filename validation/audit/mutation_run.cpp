@@ -28,7 +28,8 @@ int shell(const std::string& folder, const std::string& command) {
 
 constexpr std::string_view claims_folder = "validation/claims/";
 
-// How the build compiles each source of claims and tests for every machine, but for the name of the object.
+// The command that compiles each source for the baseline instruction set, without the name of the
+// object.
 std::map<std::string, std::string> compile_commands(const BuildPlaces& places) {
   std::map<std::string, std::string> commands;
   for (const auto& entry : nlohmann::json::parse(read_whole(places.build + "/compile_commands.json"))) {
@@ -39,7 +40,7 @@ std::map<std::string, std::string> compile_commands(const BuildPlaces& places) {
   return commands;
 }
 
-// How the build links one of its programs.
+// The command that links one of the programs of the build.
 std::string link_command(const BuildPlaces& places, const std::string& program) {
   const std::string all = run_process({"ninja", "-C", places.build, "-t", "commands", program}).out;
   const std::size_t end = all.find_last_not_of('\n') + 1;
@@ -52,7 +53,7 @@ std::string link_command(const BuildPlaces& places, const std::string& program) 
   return last;
 }
 
-// After the compiler's own name, which is the first word with a path.
+// Adds options after the name of the compiler, which is the first word with a path.
 std::string with_options(const std::string& command, const std::string& options) {
   static const std::regex compiler(R"(^((?:: && )?\S+))");
   return std::regex_replace(command, compiler, "$1 " + options, std::regex_constants::format_first_only);
@@ -92,8 +93,7 @@ MutationRun::MutationRun(const BuildPlaces& places)
       link_(link_command(places, "fairlight")),
       sources_(places),
       compile_(compile_commands(places)) {
-  for (const Claim& claim : registry())
-    sources_.files_of(claim.file);  // throws where one is newer than the program
+  for (const Claim& claim : registry()) sources_.files_of(claim.file);  // throws if one is newer than the program
 }
 
 std::vector<std::string> MutationRun::concerned(const std::string& source) {
@@ -148,7 +148,7 @@ Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::si
   std::vector<std::string> files = concerned(mutant.file);
   for (std::string& file : files) file.insert(0, claims_folder);
   const std::vector<std::string> tests =
-      tests_of(mutant.file);  // which take less time than further files of claims
+      tests_of(mutant.file);  // a test takes less time than another file of claims
   files.insert(files.begin() + std::min<std::ptrdiff_t>(1, std::ssize(files)), tests.begin(), tests.end());
   std::string run;
   std::size_t of_claims = 0;
@@ -171,7 +171,8 @@ bool MutationRun::compile(const Workplace& place, const std::string& source) {
   return shell(places_.build, formatted("%s -O1 -w -o '%s'", command.c_str(), place.object().c_str())) == 0;
 }
 
-// The command with the libraries' headers parsed as it wants them, which is half of its time: the build's own are optimised otherwise.
+// Precompiles the header that the command includes, with the options of the command, which halves
+// the time. The precompiled header of the build has other optimisation options.
 std::string MutationRun::parsed_once(const std::string& command) {
   static const std::regex include(R"( -include (\S+/cmake_pch\.hxx))"), source(" -c \\S+");
   std::smatch match;
@@ -190,7 +191,7 @@ std::string MutationRun::parsed_once(const std::string& command) {
   return std::regex_replace(command, include, " -include " + header);
 }
 
-// The object of the right sources is compiled once.
+// Whether the changed object equals that of the right source. Compiles the latter once.
 bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& source) {
   const std::lock_guard lock(unchanged_);
   const std::string object = (fs::path(scratch_.folder) / fs::path(source).filename()).string() + ".o";
@@ -211,7 +212,7 @@ void MutationRun::link(const Workplace& place, const std::string& command, const
     throw std::runtime_error(program + " cannot be linked with a changed source (try ninja)");
 }
 
-// The name of a claim that finds it biased, or how the program stopped; nothing where all are certified.
+// The name of a claim that is biased, or how the program stopped. Empty if all are certified.
 std::string MutationRun::killer(const Workplace& place, const std::string& claim_file) const {
   link(place, link_, "fairlight");
   std::string claims;
@@ -235,7 +236,8 @@ std::string MutationRun::killer(const Workplace& place, const std::string& claim
   return "no verdict";
 }
 
-// The test's source where it fails. A test alone is linked as the program is that all of its folder's are in.
+// The source of the test if it fails. Links this test alone, by the link command of the program
+// with all tests of its folder.
 std::string MutationRun::failing_test(const Workplace& place, const std::string& test) const {
   static const std::regex objects(R"( tests/CMakeFiles/\S+\.o\b)");
   const std::string program = fs::path(test).parent_path().string() + "_tests";

@@ -10,41 +10,45 @@
 
 namespace fairlight {
 
-/// What became of a mutant.
+/// The fate of a mutant.
 struct Fate {
   enum class Kind {
-    killed,      ///< a claim says `biased`, a test of the component fails, or a program stops
-    survived,    ///< every claim that was run is certified, and the tests pass
-    equivalent,  ///< the compiler makes the same of every file concerned
+    killed,      ///< a claim is biased, a test of the component fails, or a program stops
+    survived,    ///< every claim that ran is certified, and the tests pass
+    equivalent,  ///< it changes no object file
     no_program,  ///< it does not compile
   };
   Kind kind;
-  std::string by;  ///< the claim or the test that killed it, or how the program stopped; or which files were run
+  std::string by;  ///< the claim or test that killed it, or how the program stopped; else the files that ran
   double seconds = 0;
 };
 const char* name(Fate::Kind kind);
 Fate::Kind fate_named(const std::string& name);  ///< throws std::invalid_argument for any other name
 
-/// Compiles mutants into claims, and runs these; and where no claim notices, into the tests that name its components. The sources stay as they
-/// are: the changed header stands in a folder that is searched first, a file is compiled against it without the last optimisations, and
-/// the program is linked as its build links it.
+/// Compiles mutants into claims and runs these. If no claim notices, it runs the tests that name
+/// the components of the source. The source folder stays unchanged: the changed header is in a
+/// folder that comes first in the search path. It compiles without the last optimisations, and
+/// links the program as the build does.
 class MutationRun {
  public:
-  /// Works in a folder of its own, gone with it, where temporary ones are. Throws std::runtime_error where the build is gone or the sources are
-  /// newer than the program.
+  /// Works in a temporary folder, which the destructor removes. Throws std::runtime_error if the
+  /// build is gone or a source is newer than the program.
   explicit MutationRun(const BuildPlaces& places);
 
-  /// The files of claims/ that rest on a source, those with the most claims about its components first.
+  /// The files of claims/ that depend on a source. Those with the most claims about its components
+  /// come first.
   std::vector<std::string> concerned(const std::string& source);
 
-  /// At most three tests of the source's folder that name its components, that of its own name first and then those that do so the most.
+  /// At most three tests in the folder of the source that name its components: first the one with
+  /// its name, then those with the most mentions.
   std::vector<std::string> tests_of(const std::string& source) const;
 
-  /// Runs the claims of at most so many of the files concerned that it changes, and then the tests, until one kills it. May be called from several threads at once.
+  /// Runs the claims of at most `most_files` of the files that the mutant changes, then the tests,
+  /// until one kills it. Several threads may call it at once.
   Fate judge(const Mutant& mutant, std::size_t most_files);
 
  private:
-  // A folder that is gone with it.
+  // A temporary folder, which the destructor removes.
   struct Workplace {
     explicit Workplace(const std::string& parent);
     Workplace(const Workplace&) = delete;
@@ -65,11 +69,11 @@ class MutationRun {
   std::string failing_test(const Workplace& place, const std::string& test) const;
 
   BuildPlaces places_;
-  Workplace scratch_;  // of the objects of the right sources, and of the places of mutants
+  Workplace scratch_;  // holds the objects of the right sources, and the folders of mutants
   std::string link_;
   Sources sources_;
-  std::map<std::string, std::string> compile_;  // by the source
-  std::map<std::string, std::string> headers_;  // by the build's own, which ours are made of
+  std::map<std::string, std::string> compile_;  // by source
+  std::map<std::string, std::string> headers_;  // our precompiled headers, by the name of the build's
   std::mutex mutex_, unchanged_;
 };
 

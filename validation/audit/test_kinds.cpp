@@ -17,7 +17,7 @@
 namespace fairlight {
 namespace {
 
-// Uniform numbers of a trial: number `i` of stream `unit`.
+// The uniform random numbers of a trial: number `i` of stream `unit`.
 class Numbers {
  public:
   explicit Numbers(const Trial& trial) : key_(trial.seed, trial.claim) {}
@@ -31,7 +31,7 @@ class Numbers {
 
 double exponential(double u) { return -std::log1p(-u); }
 
-// Fills every channel from draw(i, channel).
+// Draws that fill every channel from draw(i, channel).
 template <class Draw>
 DrawBlock block_of(const Draw& draw) {
   return [draw](std::uint64_t first, std::vector<std::vector<double>>& channels) {
@@ -73,7 +73,8 @@ TestKind difference() {
           }};
 }
 
-// In double with a packet control variate: each part has as much of the bias as of the margin.
+// A mean in double with a packet control variate. The share of the bias in the packets equals their
+// share of the margin.
 TestKind control_variate(const std::string& name, const PacketControlVariate::Plan& plan) {
   return {name, false, [=](const Trial& trial, double bias) {
             const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
@@ -113,7 +114,7 @@ TestKind welch() {
 TestKind counts() {
   return {"counts", false, [](const Trial& trial, double bias) {
             const Numbers u(trial);
-            const double half = (1 + bias) / 2;  // the lower eight of sixteen cells have this much of the draws
+            const double half = (1 + bias) / 2;  // the share of the lower eight of the sixteen cells
             return test_law(
                 trial, DiscreteDomain{16}, [](std::int64_t) { return 1.0 / 16; },
                 [&](std::uint64_t i) {
@@ -133,7 +134,8 @@ TestKind two_cells() {
           }};
 }
 
-// The density 1 + b (2s - 1), whose draws are found by inversion, against the uniform one; its L2 distance is b / sqrt3.
+// Draws of the density 1 + b (2s - 1), by inversion, tested against the uniform density. Their L2
+// distance is b / sqrt3.
 TestKind density() {
   return {"law.interval", false, [](const Trial& trial, double bias) {
             const Numbers u(trial);
@@ -149,14 +151,14 @@ TestKind density() {
 
 TestKind not_below() {
   return {"betting.not_below", true,
-          [](const Trial& trial, double bias) {  // dark is the fault: the bias is turned over
+          [](const Trial& trial, double bias) {  // the fault is a negative bias: the sign is reversed
             const Numbers u(trial);
             const auto draw = [=](std::uint64_t i, std::uint32_t) { return 2 * u(i) * (1 - bias); };
             return test_means(trial, {{1, 0, 2.5, 0, 1, Sides::not_below}}, block_of(draw));
           }};
 }
 
-// One sample of fixed size, large enough to see u^(1/(1+margin)) at a level of 1e-8.
+// A single sample of fixed size, large enough to detect u^(1/(1+margin)) at a level of 1e-8.
 TestKind kolmogorov() {
   return {"kolmogorov_smirnov", false, [](const Trial& trial, double bias) {
             const Numbers u(trial);
@@ -170,7 +172,7 @@ TestKind kolmogorov() {
           }};
 }
 
-// Draws of the density 2 s (1 + a sqrt2 cos(pi t)), by inversion; the claim has a = 0.
+// Draws of the density 2 s (1 + a sqrt2 cos(pi t)), by inversion. The claim is a = 0.
 TestKind moments_of_the_law() {
   return {"rosenblatt", false, [](const Trial& trial, double bias) {
             const Numbers u(trial);
@@ -203,7 +205,8 @@ TestKind variance_at_most() {
           }};
 }
 
-// Now and then the second number is the first, or its mirror image: a correlation of `bias`.
+// With probability |bias| the second number is the first, or its mirror image: a correlation of
+// `bias`.
 TestKind correlation() {
   return {"uncorrelated", false, [](const Trial& trial, double bias) {
             const Numbers u(trial);
@@ -215,7 +218,7 @@ TestKind correlation() {
           }};
 }
 
-// A replicate is four stratified points for the mean of 2x.
+// A replicate is the mean of 2x over four stratified points.
 TestKind replicates() {
   return {"replicates", false, [](const Trial& trial, double bias) {
             const Numbers u(trial);
@@ -227,7 +230,8 @@ TestKind replicates() {
           }};
 }
 
-// Runs of four times the margin, until their account has a verdict: a bias of the margin is no matter to any of them.
+// Sums runs with four times the margin until their evidence sum has a verdict. A bias of one margin
+// is within the margin of each run.
 TestKind evidence_sum() {
   return {"account", false, [](const Trial& trial, double bias) {
             constexpr int most_runs = 1000;
@@ -262,7 +266,7 @@ CostLaw bernoulli(const std::string& name, double p, double margin, double limit
   return {name, (1 - p) / p, margin, 1.2 / p, 0, limit, [p](double u) { return u < p ? 1 / p : 0.0; }};
 }
 
-// Nothing with probability p, and else a little more than the mean.
+// A draw of 0 with probability p, else of 1 / (1 - p).
 CostLaw rare_loss(double p, double margin, double limit) {
   return {
       "rare_loss", p / (1 - p), margin, 1.2 / (1 - p), 0, limit, [p](double u) { return u < p ? 0 : 1 / (1 - p); }};
@@ -275,7 +279,8 @@ const std::vector<TestKind>& test_kinds() {
   return kinds;
 }
 
-// Pareto's law of index 5/2 begins at 3/5, and E[(X - B)+] = (3/5)^(5/2) B^(-3/2) / (3/2): 2.2e-5 at B = 450.
+// Pareto's law of index 5/2 with lower bound 3/5 has E[(X - B)+] = (3/5)^(5/2) B^(-3/2) / (3/2),
+// which is 2.2e-5 at B = 450.
 const std::vector<CostLaw>& cost_laws() {
   static const std::vector<CostLaw> laws{
       bernoulli("bernoulli_0.5", 0.5, 0.01, 18),

@@ -9,29 +9,28 @@
 
 namespace fairlight {
 
-/// A statistical test on draws of a law that is known, to see what it says of them.
+/// A statistical test on draws of a known law, to measure its false alarms and misses.
 struct TestKind {
   std::string name;
-  bool one_sided;  ///< only a bias above is a fault
+  bool one_sided;  ///< only a positive bias is a fault
 
-  /// Runs the test with the trial's seed. `bias` is relative to the reference: 0 for right code, +margin and
-  /// -margin for the biases that the test must not certify.
+  /// Runs the test with the seed of the trial. `bias` is relative to the reference: 0 for right
+  /// code, +margin and -margin for the biases that the test must not certify.
   std::function<Finding(const Trial& trial, double bias)> run;
 };
 
-/// Every kind of test that stats has, each at least once.
+/// Every kind of test in stats/, at least once each.
 const std::vector<TestKind>& test_kinds();
 
-/// A law of mean 1 on which the core test's cost is measured: its draws from one uniform number, its squared
-/// coefficient of variation, and a range with the slack that its tail needs at the given margin.
+/// A law of mean 1 to measure the cost of the core test: its draw from one uniform number, its
+/// squared coefficient of variation, and a range with the tail slack that the margin needs.
 struct CostLaw {
   std::string name;
   double cv2;
-  double margin;  ///< at which the cost is measured
+  double margin;  ///< for which the cost is measured
   double upper;
   double tail_slack;
-  double
-      limit;  ///< draws per cv2 / margin^2 that the core test may take on right code; 0 where it is only reported
+  double limit;  ///< the most draws on right code, in units of cv2 / margin^2; 0 where it is only reported
   std::function<double(double u)> draw;
 };
 

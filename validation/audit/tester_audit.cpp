@@ -16,11 +16,11 @@
 namespace fairlight {
 namespace {
 
-constexpr double chance = 1e-8;  // of one limit being exceeded by right tests: 1e-6 for all rows together
-constexpr double calibration_level = 1e-2;  // the budget of a run, raised 10^4-fold
+constexpr double chance = 1e-8;  // the probability that right tests exceed one limit: 1e-6 for all rows together
+constexpr double calibration_level = 1e-2;  // 10^4 times the budget of a run
 constexpr double audit_margin = 0.1;
 
-// The largest count that a binomial law exceeds with probability at least `chance`.
+// The smallest limit that a binomial count exceeds with a probability of at most `chance`.
 int binomial_limit(int runs, double probability) {
   const boost::math::binomial law(runs, probability);
   int k = 0;
@@ -28,7 +28,7 @@ int binomial_limit(int runs, double probability) {
   return k;
 }
 
-// Counts, over runs of a kind of test, the verdicts that are not the right one.
+// Counts the wrong verdicts over runs of a kind of test.
 struct Job {
   const TestKind* kind;
   std::string name;
@@ -63,7 +63,8 @@ std::vector<TesterOutcome> run_jobs(const std::vector<Job>& jobs, std::uint64_t 
 
 double normal_draw(double u) { return boost::math::quantile(boost::math::normal(), (u * 0x1p53 + 0.5) * 0x1p-53); }
 
-// The two-sided p-value of a z-test of the mean of 20 normal draws, whose standard deviation is taken for `sigma`.
+// The two-sided p-value of a z-test of the mean of 20 normal draws, under the standard deviation
+// `sigma`.
 double z_test(PhiloxStream<double>& source, double sigma) {
   double sum = 0;
   for (int i = 0; i < 20; ++i) sum += normal_draw(source.next());
@@ -149,8 +150,8 @@ std::vector<UniformityOutcome> audit_uniformity(const TesterAudit& audit) {
       PhiloxStream<double> source(key, 0, i);
       p_values[i] = test(source);
     }
-    // The wrong sigma lies some 7.6 standard errors off at 10^4 p-values: a level of 1e-3 misses it once in 30 000 audits,
-    // one of 1e-6 would once in 200.
+    // The wrong sigma is about 7.6 standard errors off at 10^4 p-values. A level of 1e-3 misses it
+    // once in 30 000 audits, a level of 1e-6 once in 200.
     const Uniformity result = uniformity(p_values, expected ? 1e-6 : 1e-3);
     const double least = std::min({result.fisher_small, result.fisher_large, result.distance});
     return UniformityOutcome{name, audit.p_values, least, expected, result.uniform};

@@ -9,7 +9,7 @@
 
 namespace fairlight {
 
-/// How the tester is tested.
+/// The options of an audit of the tests.
 struct TesterAudit {
   std::uint64_t seed;
   int threads;
@@ -19,25 +19,26 @@ struct TesterAudit {
   int p_values = 10000;
 };
 
-/// How often a test failed where it should not have.
+/// How often a test gave a wrong verdict.
 struct TesterOutcome {
   std::string name;
   int runs;
   int failures;
-  int limit;  ///< the largest number of failures that chance allows, at 1e-6 for all rows together, by the binomial law; or 0
+  int limit;  ///< the largest number of failures that chance allows, at 1e-6 for all rows together; or 0
   bool passed() const { return failures <= limit; }
 };
 
-/// Calibration: every kind of test on right code at alpha = 0.01, 10^4 times the budget of a run; a failure is any
-/// verdict but `certified`.
+/// Calibration: runs every kind of test on right code at alpha = 0.01, which is 10^4 times the
+/// budget of a run. A failure is any verdict but `certified`.
 std::vector<TesterOutcome> audit_calibration(const TesterAudit& audit, const Progress& progress = {});
 
-/// Power: every kind of test on draws that are off by plus and minus the margin, twice. With a miss rate of 1e-8 no
-/// run may miss (limit 0); with 0.01, the usual one, misses are inside the binomial limit of that rate. A miss is
-/// any verdict but `biased`.
+/// Power: runs every kind of test on draws that are off by plus and minus the margin, at two miss
+/// rates. At 1e-8 no run may miss (limit 0). At 0.01, the usual one, the misses must stay within
+/// the binomial limit for that rate. A miss is any verdict but `biased`.
 std::vector<TesterOutcome> audit_power(const TesterAudit& audit, const Progress& progress = {});
 
-/// The core test's cost on right code, at alpha = 1e-8 and beta = 0.01, in units of (CV / margin)^2 draws.
+/// The cost of the core test on right code, at alpha = 1e-8 and beta = 0.01, in units of (CV /
+/// margin)^2 draws.
 struct CostOutcome {
   std::string law;
   double draws_per_cv2;   ///< the mean over runs
@@ -46,15 +47,16 @@ struct CostOutcome {
 };
 std::vector<CostOutcome> audit_cost(const TesterAudit& audit, const Progress& progress = {});
 
-/// What a z-test of fixed size takes to do both, (z_(alpha/2) + z_beta)^2, in the same unit.
+/// The number of draws of a z-test of fixed size with this level and miss rate, (z_(alpha/2) +
+/// z_beta)^2, in the same unit.
 double fixed_size_cost(double alpha, double beta);
 
-/// Fixed-n p-values: those of right tests must be uniform, judged at 1e-6, and those of a test whose sigma is 5 % too
-/// small must not be, judged at 1e-3.
+/// Checks of p-values of tests of fixed size. Those of right tests must be uniform, at a level of
+/// 1e-6. Those of a test whose sigma is 5 % too small must not be, at a level of 1e-3.
 struct UniformityOutcome {
   std::string name;
   int p_values;
-  double least;   ///< the least of the three statistics' p-values
+  double least;   ///< the smallest p-value of the three statistics
   bool expected;  ///< whether uniformity is expected
   bool uniform;
 };

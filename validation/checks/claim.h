@@ -9,20 +9,20 @@
 
 namespace fairlight {
 
-/// One row of the registry: something that is claimed of the kit, and how it is checked.
+/// One row of the registry: a statement about an estimator, and how it is checked.
 struct Claim {
-  std::string name;                   ///< dotted: what.how.claim
-  std::string kind;                   ///< law | mean | constant | agreement | second order
-  std::vector<std::string> subjects;  ///< the components that it is about, by their type's name
-  std::string statement;              ///< in words, for a reader
-  std::string source;                 ///< where the answer comes from
-  double margin_factor;               ///< its margin, in units of the run's: 1, or more where 1 would take too long
+  std::string name;                   ///< dotted, for example "roulette.integral.packet"
+  std::string kind;                   ///< law | mean | constant | agreement | second order | variance | streams
+  std::vector<std::string> subjects;  ///< the components that it tests, by their type names
+  std::string statement;              ///< the statement in words
+  std::string source;                 ///< where the reference comes from
+  double margin_factor;  ///< its margin is this times the run's: 1, or more where 1 would take too long
   std::function<Finding(const Trial&)> check;
   std::string real = "double";  ///< the arithmetic: double | packet
-  double finest_margin = 0;     ///< its margin where the run's is finer than its roundings allow
-  double weight = 1;            ///< its share of the budget is weight / the sum of all weights
-  std::string file{};           ///< of claims/, where it is made; the registry fills it in
-  std::string instructions{};   ///< the instruction set of its packets; the registry fills it in
+  double finest_margin = 0;  ///< the finest margin that its rounding allows: the floor of its margin; 0 means none
+  double weight = 1;         ///< its share of the budget is weight / the sum of all weights
+  std::string file{};        ///< the file in claims/ that makes it; the registry fills it in
+  std::string instructions{};  ///< the instruction set of its packets; the registry fills it in
 };
 
 }  // namespace fairlight

@@ -4,10 +4,12 @@
 
 namespace fairlight {
 
-/// Every draw equals the reference to within `tolerance`, relative: an estimator without variance.
+/// Tests an estimator without variance: every draw equals the reference to within the relative
+/// error `tolerance`.
 Finding check_constant(const Trial& trial, double reference, double tolerance, const Draws& draws);
 
-/// To within so many units in the last place of a Real: `draw(source)` gives one.
+/// The same, with the tolerance in units in the last place of a Real. `draw(source)` gives one
+/// draw.
 template <class Real = double, class Draw>
 Finding check_constant(const Trial& trial, double reference, int ulps, const Draw& draw) {
   const auto body = body_of_source<Real>([draw](auto& source) { return draw(source); });

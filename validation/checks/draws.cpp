@@ -1,4 +1,4 @@
-// Compiled once for the whole program and, with the bodies that draw, once for each instruction set.
+// The program compiles this file once for double, and once for each instruction set.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ std::array<double, lanes<Real>> in_double(const Real& x) {
   return values;
 }
 
-// Of a packet's draws it is the same one in all lanes.
+// Checks each draw of a replicate. `draw` is the number of the replicate, the same for all lanes.
 template <class Real>
 void require_in_range(std::uint64_t draw, const std::vector<Real>& channels,
                       const std::vector<Reference>& references) {
@@ -55,7 +55,7 @@ DrawBlock independent_draws(std::shared_ptr<const Body<Real>> body, const Stream
   return draws_at_once(lanes<Real>, channel_count, make);
 }
 
-// The packets of a replicate are summed in their arithmetic, and its lanes in double.
+// Sums the packets of a replicate in their own arithmetic, then the lanes in double.
 template <class Real>
 std::vector<double> replicate_mean(PointNumbers<Real>& numbers, const Body<Real>& body, std::uint64_t replicate,
                                    const std::vector<Reference>& references, std::uint32_t n) {
@@ -75,7 +75,7 @@ std::vector<double> replicate_mean(PointNumbers<Real>& numbers, const Body<Real>
   return means;
 }
 
-// A packet of draws, and each of its lanes once more in double.
+// A packet of draws whose lanes can each be drawn again in double.
 template <class Packets>
 class FollowedLanes {
  public:
@@ -89,7 +89,7 @@ class FollowedLanes {
   const std::vector<Packets>& packet() const { return channels_; }
   std::size_t drawn() const { return drawn_; }
 
-  /// Draws a lane in double, and returns how many numbers that took.
+  /// Draws one lane in double, and returns how many numbers it took.
   std::size_t follow(std::size_t lane, const Body<double>& body, std::vector<double>& channels) {
     LaneNumbers<Packets> numbers(finer_, lane);
     NumberSource<double> source(numbers);
@@ -181,7 +181,7 @@ template PairedDraws paired_draws(std::shared_ptr<const Body<double>>, std::shar
                                   std::size_t);
 template DrawBlock replicate_draws(std::shared_ptr<PointNumbers<Packet>>, std::shared_ptr<const Body<Packet>>,
                                    const StreamKey&, const std::vector<Reference>&, std::uint32_t);
-#if !defined(FAIRLIGHT_ENTRY)  // doubles have one set of instructions
+#if !defined(FAIRLIGHT_ENTRY)  // double needs no instruction set of its own
 template Draws draws_of(std::shared_ptr<const Body<double>>, std::size_t);
 template DrawBlock replicate_draws(std::shared_ptr<PointNumbers<double>>, std::shared_ptr<const Body<double>>,
                                    const StreamKey&, const std::vector<Reference>&, std::uint32_t);

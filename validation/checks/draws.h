@@ -12,16 +12,18 @@
 #include <fairlight/stats/mean_test.h>
 #include <fairlight/validation/checks/numbers.h>
 
-/// Estimators as checks see them: what draws is compiled once for an arithmetic and an instruction set;
-/// what tests, schedules and reports knows no component's type.
+/// Estimators as checks see them. The code that draws is compiled once for each arithmetic and
+/// instruction set; tests, schedules and reports do not know the type of any component.
 namespace fairlight {
 
-/// What the arithmetic of a Real may add to a mean or take from it, relative: nothing that shows in double. In
-/// floats, 84 roundings of half an ulp, 2^-24, that all go one way: more than any component makes.
+/// The largest relative error that the rounding of a Real can give a mean. In double it is 0: no
+/// test sees it. In float it is 84 roundings of half an ulp (2^-24) in the same direction, more
+/// than any component makes.
 template <class Real>
 inline constexpr double arithmetic_rounding = lanes<Real> > 1 ? 5e-6 : 0;
 
-/// References as an arithmetic of that rounding can keep them: the range widened, and the mean allowed to be off.
+/// Widens references for an arithmetic with this relative rounding: the range grows, and the mean
+/// may be off by it.
 std::vector<Reference> rounded_references(std::vector<Reference> references, double rounding);
 
 template <class Real>
@@ -29,18 +31,20 @@ std::vector<Reference> rounded_references(std::vector<Reference> references) {
   return rounded_references(std::move(references), arithmetic_rounding<Real>);
 }
 
-/// References of the means of replicates of n points: the range is that of the estimator, but for the n roundings of
-/// the sum in double. What lanes round before, rounded_references leaves room for.
+/// References for the means of replicates of n points. The range is that of the estimator, widened
+/// by the n roundings of the sum in double. rounded_references allows for the rounding of the lanes
+/// before the sum.
 std::vector<Reference> replicate_references(std::vector<Reference> references, std::uint32_t n);
 
-/// Draws that are made `lanes` at a time: `make(first, places)` puts channel c of draw first + i at places[c][i]. Lanes
-/// are kept and handed out one at a time where a test asks for single draws, as it does where the range is wide.
+/// Draws that are made `lanes` at a time: `make(first, places)` puts channel c of draw first + i at
+/// places[c][i]. Lanes are cached and handed out one at a time where a test asks for single draws,
+/// as it does where the range is wide.
 using MakePacket = std::function<void(std::uint64_t first, std::span<double* const> places)>;
 DrawBlock draws_at_once(std::size_t lanes, std::size_t channel_count, MakePacket make);
 
 namespace detail {
 
-/// One channel of a draw: the number itself, or a colour's.
+/// One channel of a draw: the number itself, or a component of a colour.
 template <class Value>
 auto channel_of(const Value& x, std::size_t c) {
   if constexpr (requires { x.rows(); }) {
@@ -50,7 +54,7 @@ auto channel_of(const Value& x, std::size_t c) {
   }
 }
 
-/// A point of the lane, in double: a number or a vector.
+/// One lane of a packet, in double: a number or a vector.
 template <class Point>
 auto lane_of(const Point& x, std::size_t lane) {
   const auto number = [lane](const auto& value) {
@@ -74,7 +78,7 @@ template <class Real>
 class Body {
  public:
   virtual ~Body() = default;
-  /// One draw (of a packet, one a lane): the first channels of it.
+  /// Makes one draw (in a packet, one for each lane) and writes its first channels.
   virtual void draw(NumberSource<Real>& numbers, std::span<Real> channels) const = 0;
 };
 
@@ -95,25 +99,26 @@ class BodyOf final : public Body<Real> {
 
 }  // namespace detail
 
-/// That of `draw(type_identity<Real>, source)`, which gives a Real or an Rgb<Real>.
+/// The body that calls `draw(type_identity<Real>, source)`, which gives a Real or an Rgb<Real>.
 template <class Real, class Draw>
 std::shared_ptr<const Body<Real>> body_of(const Draw& draw) {
   return std::make_shared<const detail::BodyOf<Real, Draw>>(draw);
 }
 
-/// That of `draw(source)`.
+/// The body that calls `draw(source)`.
 template <class Real, class Draw>
 std::shared_ptr<const Body<Real>> body_of_source(const Draw& draw) {
   return body_of<Real>([draw](std::type_identity<Real>, auto& source) { return Real(draw(source)); });
 }
 
-/// The draws of an estimator in one arithmetic, whatever that is.
+/// The draws of an estimator in one arithmetic. The type does not depend on which.
 struct Draws {
   std::size_t lanes;
-  double rounding;  ///< of the arithmetic
-  /// From independent numbers.
+  double rounding;  ///< relative, see arithmetic_rounding
+  /// Draws from independent numbers.
   std::function<DrawBlock(const StreamKey& key)> independent;
-  /// The means of replicates of n Sobol' points. Throws BadDraw for a point that its reference rules out.
+  /// Draws that are means of replicates of n Sobol' points. Throws BadDraw for a point outside the
+  /// range of its reference.
   std::function<DrawBlock(const StreamKey& key, const std::vector<Reference>& references, std::uint32_t n)>
       replicates;
 };
@@ -121,15 +126,17 @@ struct Draws {
 /// The same estimator in double and in packets.
 struct PairedDraws {
   Draws in_double, in_packets;
-  /// What draws in double, of these references, have more than those in packets, lane by lane from the same numbers.
-  /// Where there is a tail, what is above the bound does not count. Throws BadDraw for a draw in double out of its range.
+  /// The difference of the draws in double and in packets, lane by lane from the same numbers.
+  /// `references` are those of the draws in double. Where a reference has a tail, both are clamped
+  /// to its upper bound. Throws BadDraw for a draw in double outside its range.
   std::function<DrawBlock(const StreamKey& key, const std::vector<Reference>& references)> double_minus_packet;
-  /// How many draws in double take as long as a packet, by the numbers that each takes: where the lanes of a packet wait
-  /// for the longest, it takes more of them.
+  /// The cost of a packet in draws in double, by how many numbers each takes. A packet takes more
+  /// of them where its lanes wait for the longest.
   std::function<double(const StreamKey& key)> draws_a_packet;
 };
 
-/// They are compiled once for each instruction set, in draws.cpp. `channels` is how many of them are looked at.
+/// Compiled once for each instruction set, in draws.cpp. `channels` is how many channels are
+/// tested.
 template <class Real>
 Draws draws_of(std::shared_ptr<const Body<Real>> body, std::size_t channels);
 
@@ -137,8 +144,9 @@ template <class Packets>
 PairedDraws paired_draws(std::shared_ptr<const Body<double>> in_double,
                          std::shared_ptr<const Body<Packets>> in_packets, std::size_t channels);
 
-/// The means of replicates of n points as draws, from a set's numbers. A replicate must fill whole packets (else
-/// std::invalid_argument). Throws BadDraw for a point that its reference rules out, which the mean may hide.
+/// Draws that are means of replicates of n points, from the numbers of a point set. Throws
+/// std::invalid_argument unless a replicate fills whole packets. Throws BadDraw for a point outside
+/// the range of its reference, which the mean could hide.
 template <class Real>
 DrawBlock replicate_draws(std::shared_ptr<PointNumbers<Real>> numbers, std::shared_ptr<const Body<Real>> body,
                           const StreamKey& key, const std::vector<Reference>& references, std::uint32_t n);

@@ -13,7 +13,7 @@
 
 namespace fairlight {
 
-/// How a Real is named in a claim: nothing for double, the reference.
+/// The suffix of a claim's name for a Real: none for double.
 template <class Real>
 std::string real_suffix() {
   return lanes<Real> > 1 ? ".packet" : "";
@@ -23,7 +23,8 @@ std::string real_name() {
   return lanes<Real> > 1 ? "packet" : "double";
 }
 
-/// An estimator whose mean is known, written once and run in every arithmetic and from every source of numbers.
+/// An estimator with a known mean, written once and tested in every arithmetic and from every
+/// source of numbers.
 template <class Draw>
 struct Estimand {
   std::string name;
@@ -31,7 +32,7 @@ struct Estimand {
   std::string statement;
   std::string source;
   double margin_factor;
-  std::vector<Reference> references;  ///< one a channel, exact
+  std::vector<Reference> references;  ///< one for each channel, exact
   Draw draw;                          ///< draw(std::type_identity<Real>, source) gives a Real or an Rgb<Real>
 };
 
@@ -39,20 +40,22 @@ template <class Draw>
 Estimand(std::string, std::vector<std::string>, std::string, std::string, double, std::vector<Reference>, Draw)
     -> Estimand<Draw>;
 
-/// The finest margin that a claim is held to, however fine the run's, where more is rounded than by the arithmetic: in floats, the places of
-/// a scene that is far away. That floats alone are too coarse for a margin the test says, and refuses it.
+/// The floor of a claim's margin, however fine the run's margin is; 0 means no floor. It applies
+/// where the references themselves carry rounding, such as the positions in a scene far from the
+/// origin. Where only the rounding of floats is too coarse for a margin, there is no floor, and the
+/// test refuses the margin.
 template <class Real>
 double finest_margin_of(const std::vector<Reference>& references) {
   return finest_margin(references) > 0 ? finest_margin(rounded_references<Real>(references)) : 0;
 }
 
-/// An experiment as an arithmetic draws it.
+/// The draws of an estimand in one arithmetic.
 template <class Real, class Draw>
 Draws draws_of(const Estimand<Draw>& e) {
   return draws_of<Real>(body_of<Real>(e.draw), e.references.size());
 }
 
-/// The row of the registry for the mean of an experiment.
+/// The row of the registry for the mean of an estimand.
 template <class Real, class Draw>
 Claim mean_row(const Estimand<Draw>& e, std::function<Finding(const Trial&)> check) {
   return {.name = e.name + real_suffix<Real>(),
@@ -66,8 +69,9 @@ Claim mean_row(const Estimand<Draw>& e, std::function<Finding(const Trial&)> che
           .finest_margin = finest_margin_of<Real>(e.references)};
 }
 
-/// From independent numbers of its own arithmetic alone: in double where packets round more than they mostly do, and where
-/// it is the numbers themselves that are tested, for which no others stand in.
+/// Tests the mean from independent numbers in one arithmetic alone, without a packet control
+/// variate or point sets. It is for estimands whose packets round more than usual, and for tests of
+/// the random numbers themselves, which no other numbers can replace.
 template <class Real, class Draw>
 Claim mean_claim_alone(const Estimand<Draw>& e) {
   return mean_row<Real>(e, [references = e.references, draws = draws_of<Real>(e)](const Trial& trial) {
@@ -75,8 +79,8 @@ Claim mean_claim_alone(const Estimand<Draw>& e) {
   });
 }
 
-/// From independent numbers; in double with a packet control variate where that is faster, and in packets over points where
-/// they would take very long.
+/// Tests the mean from independent numbers. In double it uses a packet control variate where that
+/// is faster; in packets it uses Sobol' points where independent numbers would take very long.
 template <class Real = double, class Draw>
 Claim mean_claim(const Estimand<Draw>& e) {
   if constexpr (lanes<Real> == 1) {
@@ -92,7 +96,7 @@ Claim mean_claim(const Estimand<Draw>& e) {
   }
 }
 
-/// A kind of point set, and how it is named in a claim.
+/// A kind of point set, and its suffix in the names of claims.
 template <template <class> class Set>
 struct PointSetKind {
   std::string suffix, subject;
@@ -102,8 +106,9 @@ inline PointSetKind<OwenSobol> sobol_points() { return {"sobol", "OwenSobol"}; }
 inline PointSetKind<Stratified> stratified_points() { return {"stratified", "Stratified"}; }
 inline PointSetKind<LatinHypercube> latin_points() { return {"latin", "LatinHypercube"}; }
 
-/// The row for the mean of an experiment from the points of a set, in packets, by replicates. Its margin is twice that from
-/// independent numbers, or as said: what a set can do wrong, it does grossly.
+/// The row for the mean of an estimand over the points of a set, in packets, by replicates. Its
+/// margin is `margin_factor` times that from independent numbers, as the errors of a point set are
+/// large.
 template <template <class> class Set, class Draw>
 Claim replicates_claim(const Estimand<Draw>& e, const PointSetKind<Set>& points, double margin_factor = 2) {
   std::vector<std::string> subjects = e.subjects;
@@ -121,14 +126,14 @@ Claim replicates_claim(const Estimand<Draw>& e, const PointSetKind<Set>& points,
           .real = real_name<Packet>()};
 }
 
-/// From independent numbers, in double and in packets.
+/// Adds the rows from independent numbers, in double and in packets.
 template <class Draw>
 void add_independent_mean(std::vector<Claim>& claims, const Estimand<Draw>& e) {
   claims.push_back(mean_claim<double>(e));
   claims.push_back(mean_claim<Packet>(e));
 }
 
-/// From independent numbers, in double and in packets; and from the points of every set.
+/// Adds the rows from independent numbers, in double and in packets, and from every point set.
 template <class Draw>
 void add_mean(std::vector<Claim>& claims, const Estimand<Draw>& e) {
   add_independent_mean(claims, e);

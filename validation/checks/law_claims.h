@@ -11,16 +11,17 @@
 
 namespace fairlight {
 
-/// The rows that say of a sampler: its draws follow its density, which integrates to one. `make(type_identity<Real>)`
-/// gives the sampler in an arithmetic; the density that packets are held to is that of double, so a draw in floats must not
-/// leave the support by rounding: a parameter that floats know exactly sees to it.
+/// A sampler and its density, for the rows that state that the draws follow the density, which
+/// integrates to one. `make(type_identity<Real>)` gives the sampler in an arithmetic. Packets are
+/// held to the density in double, so rounding in float must not take a draw out of the support:
+/// choose parameters that floats represent exactly.
 template <class Make, class Domain>
 struct LawEstimand {
   std::string name, subject, source;
   Make make;
   Domain domain;
-  double law_margin = 5;    ///< of the chi-square row, in units of the run's: more where draws are dear
-  bool of_numbers = false;  ///< whether it is the numbers themselves that are drawn, for which no others stand in
+  double law_margin = 5;    ///< of the chi-square row, in units of the run's: more where draws are expensive
+  bool of_numbers = false;  ///< whether the draws are the random numbers themselves
 
   template <class Real>
   auto law() const {
@@ -32,7 +33,8 @@ template <class Make, class Domain>
 LawEstimand(std::string, std::string, std::string, Make, Domain, double = 5, bool = false)
     -> LawEstimand<Make, Domain>;
 
-/// By chi-square. The margin is a relative L2 distance of laws, five times that of a mean or as the experiment says.
+/// Tests the law by chi-square. The margin is a relative L2 distance of laws: five times that of a
+/// mean, or `law_margin` times.
 template <class Make, class Domain>
 Claim law_claim(const LawEstimand<Make, Domain>& e) {
   return {.name = e.name + ".law",
@@ -44,7 +46,8 @@ Claim law_claim(const LawEstimand<Make, Domain>& e) {
           .check = [e](const Trial& trial) { return check_law(trial, e.template law<double>(), e.domain); }};
 }
 
-/// By bounded moments, exactly; the margin is ten times that of a mean.
+/// Tests the law by bounded moments, with an exact guarantee. The margin is ten times that of a
+/// mean.
 template <class Real = double, class Make, class Domain>
 Claim law_moments_claim(const LawEstimand<Make, Domain>& e) {
   return {.name = e.name + ".moments" + real_suffix<Real>(),
@@ -64,7 +67,7 @@ Claim law_moments_claim(const LawEstimand<Make, Domain>& e) {
           .real = real_name<Real>()};
 }
 
-/// A packet's density is that of double, at the packet's draws.
+/// Tests that the density in packets equals that in double, at the draws of packets.
 template <class Make, class Domain>
 Claim density_claim(const LawEstimand<Make, Domain>& e) {
   return {.name = e.name + ".density.packet",
@@ -80,7 +83,8 @@ Claim density_claim(const LawEstimand<Make, Domain>& e) {
           .real = "packet"};
 }
 
-/// The mean coordinates of a law over its domain's square, of s, t and s t, by quadrature.
+/// The means of s, t and s t under a law, where (s, t) are the coordinates of its domain's unit
+/// square. By quadrature.
 template <class Law, class Domain>
 std::vector<Reference> mean_coordinates(const Law& law, const Domain& domain) {
   const auto mean = [&](const auto& f) {
@@ -90,13 +94,13 @@ std::vector<Reference> mean_coordinates(const Law& law, const Domain& domain) {
         .value;
   };
   const auto reference = [](double value) {
-    return Reference{.mean = value, .lower = 0, .upper = 1, .scale = value, .rounding = 1e-6};  // the quadrature's
+    return Reference{.mean = value, .lower = 0, .upper = 1, .scale = value, .rounding = 1e-6};  // of the quadrature
   };
   return {reference(mean([](double s, double) { return s; })), reference(mean([](double, double t) { return t; })),
           reference(mean([](double s, double t) { return s * t; }))};
 }
 
-/// The coordinates s, t and s t of a packet of points, lane by lane.
+/// The values s, t and s t of a packet of points, lane by lane.
 template <class Domain, class Point>
 Rgb<Packet> coordinates_and_product(const Domain& domain, const Point& points) {
   std::array<std::array<double, lanes<Packet>>, 3> numbers{};
@@ -111,7 +115,8 @@ Rgb<Packet> coordinates_and_product(const Domain& domain, const Point& points) {
   return packets;
 }
 
-/// From the points of a set, whole replicates being the draws: their mean coordinates are those of the density.
+/// Tests the mean coordinates of the draws over the points of a set. A draw of the test is a whole
+/// replicate.
 template <template <class> class Set, class Make, class Domain>
 Claim law_replicates_claim(const LawEstimand<Make, Domain>& e, const PointSetKind<Set>& points) {
   return {.name = e.name + ".coordinates." + points.suffix,
@@ -133,7 +138,7 @@ Claim law_replicates_claim(const LawEstimand<Make, Domain>& e, const PointSetKin
           .real = real_name<Packet>()};
 }
 
-/// All of them.
+/// Adds all rows of a law.
 template <class Make, class Domain>
 void add_law(std::vector<Claim>& claims, const LawEstimand<Make, Domain>& e) {
   claims.push_back(law_claim(e));
@@ -160,7 +165,7 @@ auto cosine_law() {
                      []<class Real>(std::type_identity<Real>) { return Directions<Real>{}; }, HemisphereDomain{}};
 }
 
-/// Pairs of numbers as they come: uniform on the unit square.
+/// Pairs of random numbers, unchanged: uniform on the unit square.
 template <class Real>
 struct UniformSquare {
   using Scalar = Real;

@@ -10,7 +10,7 @@
 
 namespace fairlight {
 
-/// The draws of a sampler one by one, in order, though they are made a packet at a time.
+/// Gives the draws of a sampler one by one, in order, although it makes them a packet at a time.
 template <Sampler Law>
 class SamplerDraws {
  public:
@@ -18,7 +18,7 @@ class SamplerDraws {
 
   SamplerDraws(const Law& law, const Pairs<Real>& pairs) : law_(law), pairs_(pairs) {}
 
-  /// Draw i, in double; and the density that the law gives it.
+  /// Draw i, in double, and the density that the law gives it.
   auto point(std::uint64_t i) { return detail::lane_of(packet(i).point, i % lanes<Real>); }
   double density(std::uint64_t i) { return detail::lane_of(law_.pdf(packet(i).point).value(), i % lanes<Real>); }
 
@@ -39,7 +39,8 @@ class SamplerDraws {
   std::vector<Made> made_;
 };
 
-/// A sampler's draws in double follow its density, which integrates to one over the domain.
+/// Tests by chi-square that a sampler's draws in double follow its density, which integrates to one
+/// over the domain.
 template <Sampler Law, class Domain>
 Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
   SamplerDraws draws(law, independent_pairs<double>(StreamKey(trial.seed, trial.claim)));
@@ -50,7 +51,7 @@ Finding check_law(const Trial& trial, const Law& law, const Domain& domain) {
 
 namespace detail {
 
-/// As check_law_moments, from pairs that come in replicates.
+/// As check_law_moments, from pairs in replicates of `replicate`.
 template <Sampler Drawn, Sampler Law, class Domain>
 Finding check_law_moments_of(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain,
                              const Pairs<typename Drawn::Scalar>& pairs, std::uint32_t replicate) {
@@ -62,16 +63,16 @@ Finding check_law_moments_of(const Trial& trial, const Drawn& drawn, const Law& 
 
 }  // namespace detail
 
-/// That the draws of `drawn` follow the density of `law`, by bounded moments of the Rosenblatt transform: exact,
-/// and blind to fine waves.
+/// Tests that the draws of `drawn` follow the density of `law`, by bounded moments of the
+/// Rosenblatt transform. The guarantee is exact; deviations of high frequency go unseen.
 template <Sampler Drawn, Sampler Law, class Domain>
 Finding check_law_moments(const Trial& trial, const Drawn& drawn, const Law& law, const Domain& domain) {
   const StreamKey key(trial.seed, trial.claim);
   return detail::check_law_moments_of(trial, drawn, law, domain, independent_pairs<typename Drawn::Scalar>(key), 1);
 }
 
-/// The same over Sobol' points. A draw's law does not depend on how its numbers are spread, and over a replicate of points its
-/// moments hardly vary.
+/// The same over Sobol' points. The law of a draw does not depend on the correlation between draws,
+/// and the moments hardly vary over a replicate.
 template <Sampler Drawn, Sampler Law, class Domain>
 Finding check_law_moments_over_points(const Trial& trial, const Drawn& drawn, const Law& law,
                                       const Domain& domain) {
@@ -80,7 +81,8 @@ Finding check_law_moments_over_points(const Trial& trial, const Drawn& drawn, co
   return detail::check_law_moments_of(trial, drawn, law, domain, point_pairs<typename Drawn::Scalar>(key, n), n);
 }
 
-/// Two arithmetics give the draws of the first the same density: the ratio has the mean 1, and is nowhere above 2.
+/// Tests that `law` gives the draws of `drawn` the density that `drawn` gives them: the ratio of
+/// the two has the mean 1 and is never above 2.
 template <Sampler Drawn, Sampler Law>
 Finding check_density(const Trial& trial, const Drawn& drawn, const Law& law) {
   using Real = typename Drawn::Scalar;

@@ -8,17 +8,20 @@
 #include <fairlight/stats/evidence.h>
 #include <fairlight/validation/checks/draws.h>
 
-/// How the mean of an estimator is tested, and from which numbers. The verdict is always that of the core test.
+/// How the mean of an estimator is tested, and from which numbers. The verdict is always that of
+/// test_means.
 namespace fairlight {
 
-/// How many points a replicate has that is tested: a power of two, for Sobol's points to be a net, and few, since
-/// the core test needs some 5 range / (margin mean) replicates however little they vary.
+/// The number of points in a replicate. It is a power of two, so that Sobol' points are a net. It
+/// is small, since the test needs about 5 range / (margin mean) replicates however little they
+/// vary.
 inline constexpr std::uint32_t points_a_replicate = 64;
 
-/// As many; fewer where the range is so wide that it alone sets how many replicates there must be.
+/// The number of points in a replicate for these references: points_a_replicate, or a quarter of it
+/// where a range is so wide that it alone sets the number of replicates.
 std::uint32_t points_for(const std::vector<Reference>& references);
 
-/// From independent numbers, one reference per channel.
+/// Tests a mean from independent numbers, with one reference for each channel.
 Finding check_mean(const Trial& trial, const std::vector<Reference>& references, const Draws& draws);
 
 template <class Real = double, class Draw>
@@ -28,7 +31,8 @@ Finding check_mean(const Trial& trial, const std::vector<Reference>& references,
   return check_mean(trial, references, draws_of<Real>(body, references.size()));
 }
 
-/// From the points of a set: whole replicates of n points are the draws of the core test.
+/// Tests a mean over the points of a set. A draw of the test is the mean of a replicate of n
+/// points.
 template <PointSet Set>
 Finding check_replicates(const Trial& trial, const std::vector<Reference>& references,
                          const std::shared_ptr<const Body<typename Set::Scalar>>& body, std::uint32_t n) {
@@ -39,45 +43,49 @@ Finding check_replicates(const Trial& trial, const std::vector<Reference>& refer
                                           StreamKey(trial.seed, trial.claim), of_points, n));
 }
 
-/// Where the numbers of draws come from: each draw has independent ones; or it is the mean of a replicate of Sobol' points.
+/// The numbers of a draw: independent (points = 1), or the draw is the mean of a replicate of
+/// `points` Sobol' points.
 struct SamplingScheme {
   std::uint32_t points = 1;
   bool is_independent() const { return points == 1; }
 };
 
-/// The mean of draws in packets by either scheme: the mean is the same, but over points it varies less.
+/// The mean of draws in packets, from independent numbers or over Sobol' points. The mean is the
+/// same, but over points the draws vary less.
 /// Source   Owen 1995 (the points)
 class PacketMean {
  public:
-  /// How many points a replicate may have; there are few where the range is so wide that it says how many replicates there
-  /// must be.
+  /// The sizes of replicates to choose from. The smaller is for ranges so wide that they alone set
+  /// the number of replicates.
   static constexpr std::array<std::uint32_t, 2> replicate_sizes{points_a_replicate / 4, points_a_replicate};
 
   PacketMean(const Trial& trial, const std::vector<Reference>& references, const Draws& draws);
 
-  /// What is claimed of draws by a scheme, where the mean has this share of the margin.
+  /// The references of the draws of a scheme, where the mean gets this share of the margin.
   std::vector<Reference> references(const SamplingScheme& scheme, double share) const;
 
   struct Choice {
     SamplingScheme scheme;
-    double cost;  ///< in packets
+    double cost;  ///< in units of the time of a packet from independent numbers
   };
 
-  /// What a few draws say of how many a scheme takes.
+  /// Estimates from a few pilot draws how many draws each scheme needs.
   class Pilots {
    public:
-    /// For a mean that has this share of the margin. Throws BadDraw for a draw that its reference rules out.
+    /// The cost from independent numbers, where the mean gets this share of the margin. Throws
+    /// BadDraw for a draw outside the range of its reference.
     Choice independent(double share) const;
-    /// The scheme that takes the least time.
+    /// The fastest scheme.
     Choice cheapest(double share) const;
-    /// So that points are among what is weighed. Two packets of points are taken to cost what three others do.
+    /// Adds the schemes with points. Two packets over points are taken to cost as much as three
+    /// from independent numbers.
     void add_points();
 
    private:
     friend PacketMean;
     struct Seen {
       SamplingScheme scheme;
-      double packets;  ///< what as many draws cost as a packet has lanes
+      double packets;  ///< the cost of as many draws as a packet has lanes
       std::vector<std::vector<double>> channels;
     };
     explicit Pilots(const PacketMean& mean);
@@ -90,12 +98,13 @@ class PacketMean {
 
   Pilots pilots() const& { return Pilots(*this); }
 
-  /// What takes the least time for a mean that has all of the margin: points only where independent numbers would take more
-  /// than so many draws. Independent ones where a pilot is out of its range.
+  /// The fastest scheme where the mean gets the whole margin. It is over points only where
+  /// independent numbers would take more than `many` draws. Independent numbers where a pilot draw
+  /// is out of its range.
   SamplingScheme cheapest(double many) const;
 
-  /// What test_means finds of each channel, and throws, its draws counted one by one. The levels are those of this trial,
-  /// the numbers those of the mean's own.
+  /// The finding of test_means for each channel; throws what that throws. Counts single draws, not
+  /// replicates. Levels are those of the given trial, random numbers those of this mean.
   std::vector<Finding> test_each(const Trial& trial, const SamplingScheme& scheme, double share = 1) const;
 
  private:
@@ -106,19 +115,22 @@ class PacketMean {
   Draws draws_;
 };
 
-/// The mean of an estimator in packets. Points stand in only where it would take more than `many` independent draws, which
-/// hardly happens at a margin of 1e-3, and not where somebody listens to the draws. Throws what test_means does.
+/// Tests the mean of an estimator in packets. It uses points only where it would take more than
+/// `many` independent draws, which hardly happens at a margin of 1e-3, and never where the trial
+/// has an Evidence::listener. Throws what test_means does.
 Finding check_mean_in_packets(const Trial& trial, const std::vector<Reference>& references, const Draws& draws,
                               double many = 1 << 27);
 
-/// The mean in double with the packets as a control variate: E[double] = E[packet] + E[double - packet]. Packets draw some ten
-/// times as fast, and from the same numbers the difference is next to nothing, so that few draws show its mean. Both parts
-/// must be certified, each to a share of the margin, and each has half of alpha.
+/// Tests a mean in double with packets as a control variate. Packets draw some ten times as fast,
+/// and from the same numbers the difference is almost zero, so it needs few draws. Both parts must
+/// be certified, each to a share of the margin and at half of alpha.
+/// Formula  E[double] = E[packet] + E[double - packet]
 /// Source   Hammersley and Handscomb 1964, 5.5 (the control variate)
 class PacketControlVariate {
  public:
-  /// The scheme of the packets' mean, and its share of the margin. At a margin of 1e-4 the remaining 21 % is the least that
-  /// the test accepts; where the difference varies, as paths in floats part from those in double, it is given more.
+  /// The scheme of the packets' mean, and its share of the margin. The difference gets the rest. At
+  /// a margin of 1e-4 that is at least 21 %, or the test refuses the rounding of floats. It gets
+  /// more where the difference varies, as where paths in floats diverge from those in double.
   struct Plan {
     static constexpr std::array shares{0.79, 0.6, 0.4};
     SamplingScheme scheme;
@@ -127,13 +139,13 @@ class PacketControlVariate {
 
   PacketControlVariate(const Trial& trial, const std::vector<Reference>& references, const PairedDraws& draws);
 
-  /// The plan that takes the least time, if it takes less than double alone: not where the range is so wide that it alone
-  /// says how many draws there must be, nor where these are so few that pilots cost more than they save. A pilot that is
-  /// out of its range is left to double.
+  /// The fastest plan, or none if draws in double alone are faster. There is none where the range
+  /// is so wide that it alone sets the number of draws, or where these are so few that the pilot
+  /// costs more than it saves, or where a pilot draw is out of its range.
   std::optional<Plan> pays() const;
 
-  /// Where the packets fail, the figures are theirs, as the difference is then not drawn, and the note says so. Throws what
-  /// test_means does.
+  /// The finding of both parts. If the packets are not certified, it does not test the difference:
+  /// the figures are those of the packets, and the note says so. Throws what test_means does.
   Finding finding(const Plan& plan) const;
 
  private:
@@ -150,15 +162,16 @@ class PacketControlVariate {
   PacketMean packets_;
 };
 
-/// The mean of an estimator in double: with a packet control variate where that is faster, unless somebody listens, who is to
-/// hear draws in double.
+/// Tests the mean of an estimator in double: with a packet control variate where that is faster. A
+/// trial with an Evidence::listener always draws in double.
 Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references,
                              const PairedDraws& draws);
 
 namespace detail {
 
-/// What two parts say of the whole. A whole that is off by its margin has a part that is off by its share, so the less wealth of
-/// the two is held against that; both parts are right where the whole is claimed to be, so the mean is held against the claim.
+/// The wealth of the sum of two parts. If the sum is off by its margin, one part is off by its
+/// share, so the smaller of their wealths counts against that. If the reference is right, both
+/// parts are, so the mean of their wealths counts against it.
 Wealth joint(const Wealth& a, const Wealth& b);
 
 }  // namespace detail

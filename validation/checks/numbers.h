@@ -16,15 +16,16 @@
 
 namespace fairlight {
 
-/// The number of a draw as that of a replicate, a set or a pixel, `what`, of which a key has 2^32. Throws NoMoreDraws
-/// beyond.
+/// The number i of a replicate, a set or a pixel, as `what` says, in 32 bits: a key has 2^32 of
+/// them. Throws NoMoreDraws beyond.
 inline std::uint32_t number_in_key(std::uint64_t i, const char* what) {
   if (i >> 32 != 0) throw NoMoreDraws(std::string(what) + " have run out (there are 2^32 of one key)");
   return static_cast<std::uint32_t>(i);
 }
 
-/// The numbers of a sample (of a packet of samples, one a lane), dimension after dimension. A number is
-/// made when it is first asked for, and kept, so that several sources can give the same numbers.
+/// The random numbers of one sample (in a packet, one sample for each lane), by dimension. It makes
+/// a number when it is first asked for, and keeps it, so that several sources can read the same
+/// numbers.
 template <class Real>
 class SampleNumbers {
  public:
@@ -44,21 +45,22 @@ class SampleNumbers {
   std::vector<Real> kept_;
 };
 
-/// A UniformSource that reads the numbers of a sample, whatever they come from, so that an estimator is
-/// compiled once for an arithmetic. A copy goes on from the same dimension and reads the same numbers.
+/// A UniformSource that reads the numbers of a sample. Its type does not depend on where they come
+/// from, so an estimator is compiled once for each arithmetic. A copy continues from the same
+/// dimension and reads the same numbers.
 template <class Real>
 class NumberSource {
  public:
   explicit NumberSource(SampleNumbers<Real>& numbers) : numbers_(&numbers) {}
 
-  /// Throws std::out_of_range beyond the numbers that it was given.
+  /// Throws std::out_of_range past the end of a source made by take().
   Real next() {
     if (dimension_ == end_) throw std::out_of_range("a source of the next n numbers was asked for more");
     return numbers_->at(dimension_++);
   }
 
-  /// A source of the next n numbers alone. This one goes on after them, so that what comes next has the
-  /// same numbers in each arithmetic, though lanes of a packet go on together.
+  /// A source of the next n numbers only. This source skips them, so the numbers after them are the
+  /// same in each arithmetic, although the lanes of a packet advance together.
   NumberSource take(std::size_t n) {
     NumberSource taken = *this;
     dimension_ += n;
@@ -66,7 +68,7 @@ class NumberSource {
     return taken;
   }
 
-  /// How many numbers it has given or passed.
+  /// How many numbers it has given or skipped.
   std::size_t drawn() const { return dimension_; }
 
  private:
@@ -74,7 +76,7 @@ class NumberSource {
   std::size_t dimension_ = 0, end_ = std::numeric_limits<std::size_t>::max();
 };
 
-/// Independent numbers, of the samples `first`, `first` + 1, ..., one a lane.
+/// Independent numbers for the samples `first`, `first` + 1, ..., one for each lane.
 template <class Real>
 class IndependentSamples final : public SampleNumbers<Real> {
  public:
@@ -94,12 +96,12 @@ class IndependentSamples final : public SampleNumbers<Real> {
   PhiloxStream<Real> stream_;
 };
 
-/// The numbers of the points of a replicate, of whatever set.
+/// The numbers of the points of a replicate, from any point set.
 template <class Real>
 class PointNumbers : public SampleNumbers<Real> {
  public:
   virtual void begin(const StreamKey& key, std::uint32_t replicate, std::uint32_t n) = 0;
-  /// The points `first`, `first` + 1, ..., one a lane.
+  /// Moves to the points `first`, `first` + 1, ..., one for each lane.
   virtual void move_to(std::uint32_t first) = 0;
 };
 
@@ -122,8 +124,8 @@ class PointNumbersOf final : public PointNumbers<typename Set::Scalar> {
   std::optional<decltype(std::declval<const Set&>().source(0))> source_;
 };
 
-/// The numbers of a packet of samples, lane by lane in double: a float has the first 24 digits, another unit
-/// of the stream the next 24. So each lane can be followed once more, alone and in double.
+/// The numbers of a packet of samples in double. The float gives the first 24 binary digits,
+/// another unit of the stream the next 24. So each lane can be drawn again, alone and in double.
 template <class Packets>
 class FinerNumbers {
  public:
@@ -150,7 +152,7 @@ class FinerNumbers {
   std::vector<std::array<double, lanes<Packets>>> numbers_;
 };
 
-/// One lane of them.
+/// One lane of FinerNumbers.
 template <class Packets>
 class LaneNumbers final : public SampleNumbers<double> {
  public:

@@ -7,17 +7,18 @@
 namespace fairlight {
 namespace {
 
-constexpr double few = 16384;  // draws: ten times what pilots cost
+constexpr double few = 16384;  // draws in double: ten times the cost of the pilots
 
-// The most that a tail may hide of a margin: the thousandth that share_of_difference leaves, at a margin 45 times as
-// fine, which is the finest that a run leaves evidence for.
+// The largest part of a margin that a tail slack may be. share_of_difference leaves 1e-3 of the
+// margin for it, and a run keeps evidence for margins down to a 45th of its own.
 constexpr double most_in_tail = 2e-5;
 
-// What the difference has of the margin where the mean in packets has this share. A thousandth is left for tails.
+// The difference's share of the margin, from the packets' share. It leaves 1e-3 of the margin for
+// tails.
 double share_of_difference(double share_of_packets) { return 0.999 - share_of_packets; }
 
-// Of the difference of a draw in double from one in packets, where both have these references, and the packets' mean
-// this share: the trial's margin is a share of what it was, and a bias so much more.
+// The references of the difference of a draw in double and one in packets, from the references of
+// both. Rescales them to the share of the margin that the packets leave.
 std::vector<Reference> of_difference(const std::vector<Reference>& references, double rounding,
                                      double share_of_packets) {
   const std::vector<Reference> packets = rounded_references(references, rounding);
@@ -48,12 +49,12 @@ MarginGrid joint(MarginGrid a, const MarginGrid& b) {
   return a;
 }
 
-// Which part it is that has no certificate, and what is noted there.
+// Puts the name of the part that is not certified before its note.
 std::string note_on(const std::string& part, const std::string& note) {
   return note.empty() ? part : part + ": " + note;
 }
 
-// What two parts found of a channel, of the whole. The packets had the share p.
+// The finding of the sum, for one channel. p is the share of the packets.
 Finding sum_of(const Trial& trial, const Finding& packets, const Finding& difference, double p) {
   const double d = share_of_difference(p);
   Finding sum = packets;
@@ -116,7 +117,7 @@ std::optional<PacketControlVariate::Plan> PacketControlVariate::cheapest_plan() 
   pilots.add_points();
   const double packet = draws_.draws_a_packet(StreamKey(trial_.seed, trial_.claim + " in double length"));
   if (packet * pilots.cheapest(Plan::shares.front()).cost > least) return std::nullopt;
-  const double pilot_size = std::clamp(least / 1000, 512.0, 16384.0);  // rare differences may say most
+  const double pilot_size = std::clamp(least / 1000, 512.0, 16384.0);  // large, as rare differences may matter most
   std::vector differences(references_.size(), std::vector<double>(static_cast<std::size_t>(pilot_size)));
   difference_draws(" pilot")(0, differences);
   std::optional<Plan> plan;
@@ -151,7 +152,7 @@ Finding PacketControlVariate::finding(const Plan& plan) const {
   return whole;
 }
 
-// The trial of the first part, or the second.
+// The trial of part i, 0 or 1.
 Trial PacketControlVariate::part(int i, Evidence& evidence) const {
   Trial part = trial_;
   part.alpha /= 2;

@@ -39,7 +39,7 @@ std::vector<Reference> PacketMean::references(const SamplingScheme& scheme, doub
                     share);
 }
 
-// What a tail may hide of draws it may hide of their means, at most (Jensen).
+// A tail slack of the draws also bounds that of their means, by Jensen's inequality.
 DrawBlock PacketMean::draws(const SamplingScheme& scheme, const std::string& purpose) const {
   const StreamKey key(trial_.seed, trial_.claim + (scheme.is_independent() ? "" : " over points") + purpose);
   return scheme.is_independent() ? draws_.independent(key) : draws_.replicates(key, references_, scheme.points);
@@ -87,7 +87,7 @@ PacketMean::Choice PacketMean::Pilots::cheapest(double share) const {
   return best;
 }
 
-// Pictures are made of independent numbers, which are themselves held to account where they are drawn with.
+// A listener gets draws from independent numbers, as pictures are made of these.
 Finding check_mean_in_packets(const Trial& trial, const std::vector<Reference>& references, const Draws& draws,
                               double many) {
   const PacketMean mean(trial, references, draws);

@@ -7,8 +7,9 @@
 
 namespace fairlight {
 
-/// The numbers of a path's vertices, as the point sets of which the same is claimed: replicates are sets of some pixels, three of
-/// each, and pairs of dimensions are those of two blocks of vertex after vertex.
+/// The numbers of a path's vertices as a PointSet, so that the claims of point sets apply. A
+/// replicate is the set of a pixel, with three sets for each pixel. Pairs of dimensions come from
+/// two blocks of each vertex.
 template <class Real, class Numbers>
 class PaddedSet {
  public:
@@ -48,7 +49,7 @@ inline PointSetKind<PaddedStrataSet> padded_strata_points() {
   return {"padded_strata", "PaddedStrata", "VertexSource"};
 }
 
-/// The numbers of a path, a sample in each lane: `at(v)` is the source of its vertex v.
+/// The numbers of a path, a sample in each lane: `at(v)` is the source of vertex v.
 template <class Real, class Numbers>
 struct PathNumbers {
   VertexSource<Real, Numbers> at(std::uint32_t vertex) const {
@@ -58,7 +59,8 @@ struct PathNumbers {
   Word<Real> pixel, sample;
 };
 
-/// The radiance of a path that is followed from vertex to vertex by its numbers; what has been drawn before is that of vertex 0.
+/// The radiance of a path, traced vertex by vertex from 1 on. The caller has already used the
+/// numbers of vertex 0.
 template <class Real, class Tracer, class Numbers>
 Rgb<Real> followed(const Tracer& tracer, const auto& scene, Path<Real> path, const Numbers& numbers) {
   Mask<Real> alive(true);
@@ -69,8 +71,8 @@ Rgb<Real> followed(const Tracer& tracer, const auto& scene, Path<Real> path, con
   return path.radiance;
 }
 
-/// The mean of an estimator that walks along a path, `draw(path)`. Draws are the means of whole sets of n points, a set in each
-/// lane, 1024 sets of a pixel.
+/// Tests the mean of an estimator that walks along a path, `draw(path)`. A draw of the test is the
+/// mean over a whole set of n points: one set in each lane, 1024 sets for each pixel.
 template <class Real, class Numbers, class Draw>
 Finding check_sets(const Trial& trial, const std::vector<Reference>& references, std::uint32_t n,
                    const Draw& draw) {
@@ -91,7 +93,8 @@ Finding check_sets(const Trial& trial, const std::vector<Reference>& references,
                     }));
 }
 
-/// The integral of x0 x1 x2 x3 over the cube is 1/16: of a pair and a single number at one vertex, and one at the next.
+/// The row that tests the integral of x0 x1 x2 x3 over the unit cube, which is 1/16. The draw takes
+/// a pair and a single number at one vertex, and a single number at the next.
 template <class Real, class Numbers>
 Claim vertices_claim(const std::string& kind, std::vector<std::string> subjects, std::uint32_t n = 16) {
   subjects.emplace_back("VertexSource");

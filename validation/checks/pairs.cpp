@@ -1,4 +1,4 @@
-// Compiled once for the whole program and, for packets, once for each instruction set.
+// The program compiles this file once for double, and once for each instruction set.
 
 #include <array>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace fairlight {
 namespace {
 
-// In double, made for several draws at once by packets of words: the same numbers.
+// Pairs in double, made several at a time in packets of words. They equal those made one at a time.
 class PairsAtOnce {
  public:
   explicit PairsAtOnce(const StreamKey& key) : key_(key) {}

@@ -8,7 +8,8 @@
 
 namespace fairlight {
 
-/// What samplers draw from: a point of the unit square for draws i, i + 1, ..., one a lane.
+/// The numbers that samplers draw from: points of the unit square for draws i, i + 1, ..., one for
+/// each lane.
 template <class Real>
 using Pairs = std::function<Vec2<Real>(std::uint64_t i)>;
 
@@ -16,7 +17,8 @@ using Pairs = std::function<Vec2<Real>(std::uint64_t i)>;
 template <class Real>
 Pairs<Real> independent_pairs(const StreamKey& key);
 
-/// Sobol' points, one replicate of n after the other, which must fill whole packets (else std::invalid_argument).
+/// Sobol' points, in consecutive replicates of n. Throws std::invalid_argument unless a replicate
+/// fills whole packets.
 template <class Real>
 Pairs<Real> point_pairs(const StreamKey& key, std::uint32_t n);
 

@@ -11,16 +11,16 @@
 
 namespace fairlight {
 
-/// Claims of second order: an estimator's variance against another's, both at the same cost.
+/// Claims about variances: that of one estimator against that of another, at the same cost.
 
-/// One of the two: its name, draw `index` under a key, and the range of its draws.
+/// One of the two estimators: its name, draw `index` under a key, and the range of its draws.
 struct VarianceArm {
   std::string name;
   std::function<double(const StreamKey& key, std::uint64_t index)> draw;
   double lower, upper;
 };
 
-/// The mean of an estimator over the points of one replicate of a set in double.
+/// The mean of an estimator in double over the points of one replicate.
 template <PointSet Set, class Draw>
 double replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32_t n, const Draw& draw) {
   const Set set(key, number_in_key(replicate, "replicates"), n);
@@ -32,7 +32,8 @@ double replicate_mean(const StreamKey& key, std::uint64_t replicate, std::uint32
   return sum / n;
 }
 
-/// An estimator that takes independent numbers: `draw(source)`. With n > 1, the mean of n draws from one source.
+/// An estimator from independent numbers: `draw(source)`. With n > 1, the mean of n draws from one
+/// source.
 template <class Draw>
 VarianceArm independent_draws(const std::string& name, const Draw& draw, double lower, double upper, int n = 1) {
   return {name,
@@ -46,15 +47,15 @@ VarianceArm independent_draws(const std::string& name, const Draw& draw, double 
           lower, upper};
 }
 
-/// An estimator over the n points of a set: a replicate is a draw.
+/// An estimator over the n points of a set: a draw is the mean of a replicate.
 template <PointSet Set, class Draw>
 VarianceArm replicates_of(const std::string& name, const Draw& draw, double lower, double upper, std::uint32_t n) {
   return {name, [=](const StreamKey& key, std::uint64_t index) { return replicate_mean<Set>(key, index, n, draw); },
           lower, upper};
 }
 
-/// Var a <= ratio Var b: by the core test, on squared differences of draws. The note gives the
-/// ratio and its interval, which is open below where the claim holds.
+/// Tests Var a <= ratio Var b, by the test of means on squared differences of draws. The note gives
+/// the variance ratio and its interval, which has no lower end where the claim holds.
 inline Finding check_variances(const Trial& trial, double ratio, const VarianceArm& a, const VarianceArm& b) {
   const auto indexed = [&](const VarianceArm& contender, const std::string& purpose) {
     const StreamKey key(trial.seed, trial.claim + purpose);
@@ -69,7 +70,7 @@ inline Finding check_variances(const Trial& trial, double ratio, const VarianceA
   return finding;
 }
 
-/// The row of the registry that says so.
+/// The row of the registry for check_variances.
 inline Claim variance_claim(const std::string& name, std::vector<std::string> subjects, const std::string& source,
                             double ratio, double margin_factor, const VarianceArm& a, const VarianceArm& b) {
   return {.name = name,

@@ -34,7 +34,7 @@ void add_unbiased(std::vector<Claim>& claims, const std::string& by, const std::
   claims.push_back(halves_claim<Score>(by, score));
 }
 
-/// From point sets every form and every score once: neither knows where its samples come from.
+/// From point sets, each form and each score once: neither depends on where its samples come from.
 template <class Numbers>
 void add_numbers(std::vector<Claim>& claims, const Numbers& numbers) {
   claims.push_back(pilot_claim<UniformAllocation>("uniform", "UniformAllocation", numbers));
@@ -43,7 +43,7 @@ void add_numbers(std::vector<Claim>& claims, const Numbers& numbers) {
   claims.push_back(halves_claim<AllocationByDeviation>("deviation", "AllocationByDeviation", numbers));
 }
 
-/// From packets every form once, for scores are worked out in double.
+/// From packets, each form once, as the scores are computed in double.
 void add_packets(std::vector<Claim>& claims) {
   const FromStreams<Packet> packets;
   claims.push_back(pilot_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
@@ -51,7 +51,7 @@ void add_packets(std::vector<Claim>& claims) {
   claims.push_back(halves_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
 }
 
-/// The naive form and its bias. The points of a pilot of two never meet both a spike of p <= 1/2.
+/// The naive form and its bias. With p <= 1/2, the two points of a pilot never both meet a spike.
 void add_naive(std::vector<Claim>& claims) {
   const naive::PooledStages<AllocationByVariance> by_history({PixelGrid(2, 2), 20, 2});
   const naive::PooledStages<AllocationByNeighbours> by_neighbours({PixelGrid(2, 2), 16, 1});

@@ -5,15 +5,18 @@
 namespace fairlight {
 namespace {
 
-// Ranges are per vertex and in grey. What a shadow ray brings is at most S f Le, by cone and by solid angle, and A f Le / d^2 by area; a
-// bounce that shares brings no more, as the densities add up, and once, as lights are black. One of n luminaires counts n times. From
-// one vertex to the next a throughput falls to 0.8 or less, the largest albedo; after a roulette it is 1 at most.
+// Bounds are for one vertex, in grey. A shadow ray brings at most S f Le by cone and by solid
+// angle, and A f Le / d^2 by area. A bounce that shares the light brings no more, as the densities
+// add up. It does so once, as lights are black. One of n luminaires counts n times. From one vertex
+// to the next the throughput falls by 0.8 or less, the largest albedo; after a roulette it is at
+// most 1.
 constexpr double three_vertices = 1 + 0.8 + 0.64, of_four = three_vertices + 0.512;
 
-// Shadow rays to all luminaires and paths of a fixed length: what the others are compared to.
+// The settings that others are compared with: shadow rays to all luminaires, and paths of a fixed
+// length.
 RenderSettings baseline(const std::string& light_sampling) { return related_settings(light_sampling, "all", -1); }
 
-// Paths are short, so it begins at their second bounce.
+// Roulette by throughput, from the second bounce on, as paths are short.
 void play_by_throughput(RenderSettings& settings) {
   settings.roulette = "throughput";
   settings.roulette_depth = 2;
@@ -25,7 +28,7 @@ void add_agreement(std::vector<Claim>& claims, const std::string& name, const Sc
                                                 settings, baseline(sampling)));
 }
 
-// One luminaire of several, chosen so.
+// One luminaire, picked by `which`.
 void add_which_light(std::vector<Claim>& claims, const SceneComparison& scene, const std::string& sampling,
                      const std::string& which) {
   RenderSettings settings = baseline(sampling);
@@ -35,7 +38,7 @@ void add_which_light(std::vector<Claim>& claims, const SceneComparison& scene, c
   add_agreement(claims, "which." + which, scene, settings, sampling);
 }
 
-// Bounces that share the light with shadow rays to one luminaire, or find it alone.
+// Bounces that share the light with shadow rays to one luminaire, or that find it alone.
 void add_bounces(std::vector<Claim>& claims, const SceneComparison& scene, const std::string& sampling,
                  const std::string& direct) {
   RenderSettings settings = baseline(sampling);
@@ -44,7 +47,7 @@ void add_bounces(std::vector<Claim>& claims, const SceneComparison& scene, const
   add_agreement(claims, "direct." + direct, scene, settings, sampling);
 }
 
-// By cone 2.49, by area 12, by the hemisphere that is seen 6: see in_the_box (paired_boxes.h).
+// By cone 2.49, by area 12, by the visible hemisphere 6: see in_the_box (paired_boxes.h).
 void add_box_claims(std::vector<Claim>& claims) {
   constexpr double by_cone = 2.49 * of_four;
   const auto add_sampling = [&](const std::string& sampling, double most) {
@@ -61,34 +64,41 @@ void add_box_claims(std::vector<Claim>& claims) {
   add_bounces(claims, {"cornell-simple", 4, -by_cone, by_cone + 2.49, 0.4, 20}, "cone", "mis");
 }
 
-// Two such lights, 80 apart, that the ceiling, which bulges, is 9 mm nearer to: what is near to one has no more than 0.42 of the other by area, and 0.1 by cone.
+// Two such lights, 80 apart. The ceiling bulges and is 9 mm nearer to them. A point near one light
+// gets at most 0.42 from the other by area, and 0.1 by cone.
 void add_complex_box_claims(std::vector<Claim>& claims) {
   constexpr double by_area = 12.5 * of_four, by_cone = 2.6 * of_four;
   add_which_light(claims, {"cornell-complex", 4, -by_area, 4 * 24.1, 0.4, 30}, "area", "one");
   add_which_light(claims, {"cornell-complex", 4, -by_area, 4 * 24.1, 0.4, 30}, "area", "power");
-  // The centres are 16.5 and 81.7 away, their weights as 25 to 1: 12 (1 + 1/25) and 0.42 (1 + 25).
+  // The centres are 16.5 and 81.7 away, so the weights are 25 to 1: 12 (1 + 1/25) and 0.42
+  // (1 + 25).
   add_which_light(claims, {"cornell-complex", 4, -by_area, 4 * 12.6, 0.4, 30}, "area", "contribution");
   add_bounces(claims, {"cornell-complex", 4, -by_cone, 2 * 2.5 * (of_four + 1), 0.4, 30}, "cone", "mis");
 }
 
-// Rough metal: f cos <= D / (2 alpha) <= 1 / (2 pi 0.25^3) = 10.2, of a light of radius 6 that is 44 away, S < 0.06, so 16; gloss
-// 4 x 0.05 x 25 = 5; the ceiling 0.43 x 25 x 0.8 / pi = 2.8. A ball does not see itself, so three of five vertices are metal. In a
-// mirror or through glass the light itself shows, 25, also with three bounces of gloss, each 1.0244 at most (exponent 40).
+// Rough metal: f cos <= D / (2 alpha) <= 1 / (2 pi 0.25^3) = 10.2; a light of radius 6 that is 44
+// away has S < 0.06, so it brings 16. Gloss: 4 x 0.05 x 25 = 5. The ceiling:
+// 0.43 x 25 x 0.8 / pi = 2.8. A ball does not see itself, so at most three of five vertices are
+// metal. In a mirror or through glass the light itself shows, 25, also after three bounces of gloss
+// of at most 1.0244 each (exponent 40).
 void add_material_box_claims(std::vector<Claim>& claims) {
   constexpr double shadow_rays = 3 * 16 + 2 * 5 + 25;
   add_bounces(claims, {"cornell-materials", 5, -shadow_rays, shadow_rays, 0.3, 40}, "cone", "mis");
   add_bounces(claims, {"cornell-materials", 5, -shadow_rays, 27, 0.3, 40}, "cone", "none");
 }
 
-// By solid angle 15.8; a bounce finds albedo Le = 7.9, and sharing leaves a shadow ray as much: see measured_box (paired_boxes.h).
+// By solid angle 15.8. A bounce finds albedo Le = 7.9, and a shadow ray that shares the light
+// brings no more: see measured_box (paired_boxes.h).
 void add_measured_box_claims(std::vector<Claim>& claims) {
   add_bounces(claims, {"cornell-original", 4, -15.8 * of_four, 7.9 * (of_four + 1), 0.11, 60}, "solid-angle",
               "mis");
   add_bounces(claims, {"cornell-original", 4, -15.8 * of_four, 7.9, 0.11, 60}, "solid-angle", "none");
 }
 
-// Lights of radius 4 and 110 apart, of which the ceiling is about 6 away: S = 2 pi (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so 1.6 x 30 x 0.8 / pi = 12.3
-// by cone, and 12.4 with the others; chosen by their 1/d^2, no more than 13. What bounces and shadow rays share is albedo Le = 24 at most for each.
+// Lights of radius 4, 110 apart, about 6 from the ceiling: S = 2 pi
+// (1 - sqrt(1 - 4^2 / 6^2)) = 1.6, so by cone 1.6 x 30 x 0.8 / pi = 12.3, and 12.4 with the other
+// lights. Picked in proportion to 1/d^2, at most 13. Where bounces and shadow rays share the light,
+// each brings at most albedo Le = 24.
 void add_hallway_claims(std::vector<Claim>& claims) {
   constexpr double all = 12.4 * three_vertices;
   add_which_light(claims, {"hallway", 3, -all, 3 * 3 * 12.3, 0.2, 40}, "cone", "one");
@@ -96,8 +106,9 @@ void add_hallway_claims(std::vector<Claim>& claims) {
   add_bounces(claims, {"hallway", 3, -all, 24 * (three_vertices + 1), 0.2, 40}, "cone", "mis");
 }
 
-// Lights of radius r = 0.15, at least 4.6 from what they light. One is chosen with w / sum w, w = Le / d^2, so that by area it brings
-// at most 4 pi r^2 Le f / d^2 sum w / w = 0.07 sum w, which is less than 7 x 2 + 64 by the nearest and the others, spread evenly.
+// Lights of radius r = 0.15, at least 4.6 from the surfaces. One is picked with the probability
+// w / sum w, w = Le / d^2. So by area it brings at most 4 pi r^2 Le f / d^2 sum w / w = 0.07 sum w.
+// The sum is less than 7 x 2 for the nearest light and 64 for the others, evenly spread.
 void add_many_lights_claims(std::vector<Claim>& claims) {
   RenderSettings by_cone = baseline("cone"), by_area = baseline("area");
   by_cone.which_light = by_area.which_light = "contribution";

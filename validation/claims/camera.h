@@ -9,16 +9,17 @@
 
 namespace fairlight {
 
-/// Where the rays of one pixel cross a plane across the axis, in closed form.
-///
-/// At the distance d along the axis a pixel is s = d h / H wide, h being the height of the image plane at distance 1 and H
-/// that of the image in pixels. Pixel (x, y) of an image W x H has its middle s (x + 1/2 - W/2) to the right and
-/// s (y + 1/2 - H/2) below the axis. A filter that draws with mean 0 and variance v along either axis moves the crossing by
-/// s times its draw; the point l of a lens of radius R, focused at f, by l (1 - d/f), and E|l|^2 = R^2 / 2 over the disk.
-/// The two are independent and of mean 0: the crossing is the middle in the mean, and its mean squared distance from
-/// it is 2 v s^2 + (1 - d/f)^2 R^2 / 2.
+// Where the rays of one pixel cross a plane across the axis, in closed form.
+//
+// At the distance d along the axis a pixel has the width s = d h / H. h is the height of the image
+// plane at distance 1, H that of the image in pixels. In an image of W x H pixels, the centre of
+// pixel (x, y) is s (x + 1/2 - W/2) to the right of the axis and s (y + 1/2 - H/2) below it. A
+// filter draw has mean 0 and variance v along each axis, and moves the crossing by s times the
+// draw. A point l of a lens of radius R, focused at f, moves it by l (1 - d/f), and
+// E|l|^2 = R^2 / 2 over the disk. Both are independent and have mean 0. So the mean crossing is the
+// centre, and its mean squared distance from it is 2 v s^2 + (1 - d/f)^2 R^2 / 2.
 
-/// What renders use; a fault may stand in its place.
+/// The rays of a pixel as renders use them. A fault can replace it.
 struct PixelRays {
   template <class... Arguments>
   auto operator()(Arguments&&... arguments) const {
@@ -26,7 +27,8 @@ struct PixelRays {
   }
 };
 
-/// A camera askew, whose right, down and axis are thirds of whole numbers. Its rays start beyond the eye.
+/// A camera with a tilted frame: the coordinates of right, down and axis are multiples of 1/3. Its
+/// rays start beyond the eye.
 struct CameraAskew {
   static constexpr int width = 4, height = 3, x = 3, y = 2;
   static constexpr double image_height = 1.5, distance = 4, focus = 2.5;
@@ -52,7 +54,7 @@ struct CameraAskew {
   double blur() const { return std::abs(1 - distance / focus) * radius; }
 };
 
-/// Coordinates of a ray's crossing with that plane, to the right of the axis and below it.
+/// The coordinates where a ray crosses that plane, to the right of the axis and below it.
 template <class Real>
 Vec2<Real> crossing(const Ray<Real>& ray) {
   const auto in = [](const Vec3<double>& v) {
@@ -65,8 +67,9 @@ Vec2<Real> crossing(const Ray<Real>& ray) {
   return {point.dot(in(CameraAskew::right())), point.dot(in(CameraAskew::down()))};
 }
 
-/// The mean crossing, and one less the mean squared distance from the middle over the largest, which is steadier; for a
-/// filter of the variance and reach given, in pixels. `make(type_identity<Real>)` gives it.
+/// The means of the two coordinates of the crossing, and of 1 - (squared distance from the
+/// centre) / (its maximum), which varies less. The filter from `make(type_identity<Real>)` has the
+/// given variance and reach, in pixels.
 template <class Rays = PixelRays, class Make>
 auto pixel_crossings(const std::string& name, std::vector<std::string> subjects, double radius, double variance,
                      double reach, const Make& make) {
@@ -94,14 +97,14 @@ auto pixel_crossings(const std::string& name, std::vector<std::string> subjects,
                   draw};
 }
 
-/// A pinhole's.
+/// The crossings of a pinhole camera.
 template <class Rays = PixelRays>
 auto pinhole_crossings() {
   return pixel_crossings<Rays>("camera.pinhole", {"Camera", "TentFilter"}, 0, 1.0 / 6, 1,
                                []<class Real>(std::type_identity<Real>) { return TentFilter<Real>(); });
 }
 
-/// A lens's, out of focus.
+/// The crossings of a lens out of focus.
 template <class Rays = PixelRays>
 auto lens_crossings() {
   return pixel_crossings<Rays>("camera.lens", {"Camera", "BoxFilter", "ThinLens", "CircularAperture"}, 1.5,

@@ -6,7 +6,7 @@
 
 namespace fairlight {
 
-/// The rows of the registry, by what they are about; each adds its own.
+/// Add the rows of the registry, by topic.
 void add_direction_claims(std::vector<Claim>& claims);
 void add_microfacet_claims(std::vector<Claim>& claims);
 void add_material_claims(std::vector<Claim>& claims);
@@ -23,7 +23,8 @@ void add_scene_strategy_claims(std::vector<Claim>& claims);
 void add_relation_claims(std::vector<Claim>& claims);
 void add_paired_path_claims(std::vector<Claim>& claims);
 
-/// All of them, each with the name of its file, for packets as wide as this is compiled for.
+/// Adds all rows, each with the name of its file, for packets of the width that this is compiled
+/// for.
 inline void add_claims(std::vector<Claim>& claims) {
   struct Topic {
     const char* file;

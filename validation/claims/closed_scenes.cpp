@@ -14,7 +14,7 @@ RenderSettings settings_in(const std::string& real, const LightSearch& search, i
   return settings;
 }
 
-// What reflects all light, under a sky; and pictures of few samples and of twice as many.
+// Objects that reflect all light, under a sky; and pictures of few samples and of twice as many.
 void add_renders(std::vector<Claim>& claims, const std::string& real) {
   RenderSettings endless = settings_in(real, {"none", "area"}, -1);
   for (const char* roulette : {"albedo", "throughput"}) {

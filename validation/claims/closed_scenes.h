@@ -8,16 +8,17 @@
 
 namespace fairlight {
 
-/// A scene whose camera sees one radiance everywhere, that of a surface that is the same all over: so a picture of it, of any size,
-/// by any strategy and through any lens and filter, has that mean in every pixel.
+/// A scene whose camera sees the same radiance everywhere: one surface with the same radiance at
+/// each point. In a picture of any size, by any strategy, lens and filter, every pixel has this
+/// mean.
 struct ClosedScene {
   View view;
-  /// The radiance, per channel, of paths of at most so many bounces.
+  /// The radiance, per channel, from paths of at most `depth` bounces.
   std::function<Rgb<double>(int depth)> radiance;
-  Rgb<double> largest_term;  ///< what the shadow rays of a vertex bring at most
-  double index = 1;          ///< of its glass, in which a path carries so much less in square
+  Rgb<double> largest_term;  ///< the most that the shadow rays of a vertex bring
+  double index = 1;  ///< refractive index of its glass, inside which a path carries 1/index^2 of its radiance
 
-  /// What a surface emits at most.
+  /// The largest emission of a surface.
   Rgb<double> brightest() const {
     Rgb<double> most(0, 0, 0);
     for (const Surface& surface : view.scene.surfaces()) most = most.max(surface.radiance);
@@ -31,16 +32,21 @@ struct ClosedScene {
   }
 };
 
-/// A sphere within a sphere, both diffuse and lit, unlike in everything. Of what leaves the outer one F = (r/R)^2 goes to the inner one, and
-/// all that leaves the inner one to the outer one (form factors of concentric spheres), so that
-///   L_outer = Le_outer + rho_outer ((1 - F) L_outer + F L_inner),   L_inner = Le_inner + rho_inner L_outer,
-/// depth by depth from what they emit. By symmetry each has one radiance all over; the camera stands between and looks outwards.
-/// Bound: R = 2 r. By area a shadow ray from the inner sphere to the outer one brings at most 4 R^2 rho Le / (R - r)^2 = 16 rho Le, one
-/// from the outer to the inner one 4 r^2 rho Le / (R - r)^2 = 4 rho Le, and one within the outer rho Le; by cone each brings 4 rho Le at most, as the
-/// cone may be all directions. One of the two is chosen with 1/4 at least: outer to inner is 56 : 20 by power, and by contribution at the outer
-/// sphere; 3.5 : 5 at the inner one. All of them bring no more.
-/// Source: form factors by reciprocity, A_1 F_12 = A_2 F_21, all of the inner sphere's light going to the outer one; Goral et al. 1984
+/// A sphere within a sphere, both diffuse and emitting, with different radii, albedos and
+/// emissions. By symmetry the radiance of each is the same at all its points. The camera is between
+/// them and looks outwards.
+/// Formula  L_outer = Le_outer + rho_outer ((1 - F) L_outer + F L_inner),
+///          L_inner = Le_inner + rho_inner L_outer, depth by depth from Le. F = (r/R)^2 is the
+///          share of the light leaving the outer sphere that reaches the inner one.
+/// Source   form factors by reciprocity, A_1 F_12 = A_2 F_21; Goral et al. 1984
 inline ClosedScene concentric_spheres() {
+  // Bound, with R = 2 r. By area a shadow ray brings at most 4 R^2 rho Le / (R - r)^2 = 16 rho Le
+  // from the inner sphere to the outer one, 4 r^2 rho Le / (R - r)^2 = 4 rho Le from the outer to
+  // the inner one, and rho Le within the outer one. By cone each brings at most 4 rho Le, as the
+  // cone can be all directions. The light sampler picks either sphere with a probability of at
+  // least 1/4: the weights (outer : inner) are 56 : 20 by power, and by contribution at the outer
+  // sphere; they are 3.5 : 5 by contribution at the inner one. Shadow rays to all lights bring no
+  // more.
   const Vec3<double> centre(1, -2, 3);
   const Rgb<double> outer(0.2, 0.4, 0.6), inner(0.25, 0.15, 0.05), from_outer(1, 2, 0.5), from_inner(3, 1, 1);
   Scene scene;
@@ -60,14 +66,18 @@ inline ClosedScene concentric_spheres() {
   return {{"concentric_spheres", scene, camera}, radiance, on_outer.max(on_inner) / 0.25};
 }
 
-/// Six lit rectangles about a box of 2 x 3 x 4: every ray ends on what emits Le and reflects rho, so that L = Le (1 + rho + rho^2 + ...).
-/// Bound: by solid angle the other faces fill the hemisphere, so all of them bring 2 rho Le at most, and a face that is
-/// chosen with P brings S rho Le / (pi P), with S < pi. By power P >= 6/52. By contribution, weights being A / max(d^2, R^2) with R half of a face's
-/// diagonal, their sum is below 10.74; a weight of 0.6 has P > 1/18, and one below that is of a face so far off (d^2 > 10) that S < 0.9 and
-/// P > 0.029. So 18 rho Le. Where bounces share the light, also by area, a ray brings w rho Le at most, with w = 2 by uniform bounces;
-/// six of them 12 rho Le.
-/// Source: geometric series of the transport operator
+/// Six emitting rectangles that form a box of 2 x 3 x 4. Every ray ends on a surface that emits Le
+/// and reflects rho.
+/// Formula  L = Le (1 + rho + rho^2 + ...)
+/// Source   geometric series of the transport operator
 inline ClosedScene lit_box() {
+  // Bound. By solid angle the other faces fill the hemisphere, so all of them bring at most 2 rho
+  // Le. A face picked with the probability P brings S rho Le / (pi P), with S < pi. By power
+  // P >= 6/52. By contribution the weights are A / max(d^2, R^2), with R half of a face's diagonal,
+  // and their sum is below 10.74. A weight of at least 0.6 has P > 1/18. A smaller weight belongs
+  // to a face so far away (d^2 > 10) that S < 0.9, and has P > 0.029. Together: 18 rho Le. Where
+  // bounces share the light with shadow rays, also by area, a ray brings at most w rho Le, with
+  // w = 2 for uniform bounces; six of them bring 12 rho Le.
   const Rgb<double> albedo(0.3, 0.5, 0.7), radiance(1, 2, 0.5);
   const Vec3<double> corner(-1, 0.5, 2), x(2, 0, 0), y(0, 3, 0), z(0, 0, 4);
   Scene scene;
@@ -86,11 +96,12 @@ inline ClosedScene lit_box() {
   return {{"lit_box", scene, camera}, reference, 18 * albedo * radiance};
 }
 
-/// Under a sky of one radiance what reflects all light is not seen: a white ball, a mirror and glass, which light each other too, show Le as
-/// the sky does (the white furnace). By bounces alone, as long as they go: every path ends in the sky, with all that it left with.
-/// Bound: that of the sky itself, as no path brings more or less; but roulette by throughput takes what a path carries in glass for little,
-/// Le / n^2, so that survivors leave it with n^2 Le.
-/// Source: reciprocity and conservation of energy; Veach 1997, 6.3
+/// The white furnace: under a sky of constant radiance Le, objects that reflect all light are
+/// invisible. A white ball, a mirror and glass, which also light each other, show Le. Only bounces
+/// find the light; every path ends in the sky, with all that it left with.
+/// Bound    Le: every path brings exactly this. Except that inside glass a path carries Le / n^2,
+///          so roulette by throughput may end it there, and a survivor brings n^2 Le.
+/// Source   reciprocity and conservation of energy; Veach 1997, 6.3
 inline ClosedScene white_sky() {
   const Rgb<double> none(0, 0, 0), white(1, 1, 1), radiance(1, 2, 0.5);
   Scene scene;
@@ -103,9 +114,10 @@ inline ClosedScene white_sky() {
   return {{"white_sky", scene, camera}, [=](int) { return radiance; }, {0, 0, 0}, index};
 }
 
-/// The ball alone, which is convex, so that one bounce is all.
-/// Bound: by cone, which is all directions, a shadow ray brings 4 Le; by area 4 R^2 Le / (R - r)^2 < 5 Le.
-/// Source: as above; the irradiance under a constant sky is pi Le
+/// The white ball alone. It is convex, so a path has one bounce.
+/// Bound    by cone, which is all directions, a shadow ray brings 4 Le; by area 4 R^2
+///          Le / (R - r)^2 < 5 Le
+/// Source   as above; the irradiance under a constant sky is pi Le
 inline ClosedScene white_ball() {
   const Rgb<double> none(0, 0, 0), radiance(1, 2, 0.5);
   Scene scene;
@@ -115,8 +127,10 @@ inline ClosedScene white_ball() {
   return {{"white_ball", scene, camera}, [=](int) { return radiance; }, 5 * radiance};
 }
 
-/// Paths of three bounces in the box, where every vertex lies on a luminaire, wherever the camera looks: what goes wrong there is rounding, and small.
-/// Bound: at each vertex all faces bring 2 rho Le at most, and a bounce that shares the light with them rho Le.
+/// Paths of three bounces in the box, where every vertex is on a luminaire and the camera sees one
+/// everywhere. Errors there come from rounding, and are small.
+/// Bound    at each vertex all faces bring at most 2 rho Le, and a bounce that shares the light
+///          with them rho Le
 template <class Direct>
 auto in_lit_box(const std::string& how) {
   constexpr int depth = 3;

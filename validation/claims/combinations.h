@@ -9,9 +9,11 @@
 
 namespace fairlight {
 
-/// Combinators on integrals in closed form, and combinators of combinators. Bounds are the estimators' own.
+/// Combinators on integrals in closed form, and combinators of combinators. The bounds are those
+/// that the estimators state.
 
-/// Densities on the unit square that rise towards one side, and vanish at the other: 4 x^3, or 4 (1 - x)^3.
+/// Densities on the unit square that rise towards one side and vanish at the other: 4 x^3, or 4
+/// (1 - x)^3.
 template <class Real, bool mirrored>
 struct PeakAtOneSide {
   using Scalar = Real;
@@ -29,8 +31,9 @@ struct PeakAtOneSide {
   }
 };
 
-/// Two peaks on a slope, f = 2 x^3 + (1 - x)^3 + y, whose integral over the unit square is 2/4 + 1/4 + 1/2 = 5/4. By
-/// either peak's law alone f / p has no bound, and no variance: the integral of f^2 / p diverges at the far side.
+/// Two peaks on a slope, f = 2 x^3 + (1 - x)^3 + y. Its integral over the unit square is
+/// 2/4 + 1/4 + 1/2 = 5/4. By the law of one peak alone f / p is unbounded and has infinite
+/// variance: the integral of f^2 / p diverges at the far side.
 struct TwoPeaks {
   static constexpr double integral = 1.25;
 
@@ -49,7 +52,8 @@ struct TwoPeaks {
     return std::tuple(PeakAtOneSide<Real, false>{}, PeakAtOneSide<Real, true>{}, UniformSquare<Real>{});
   }
 
-  /// f <= p_1 / 2 + p_2 / 4 + p_3, so f over the mixture of shares c is at most the largest of 1/2 / c_1, 1/4 / c_2, 1 / c_3.
+  /// The bound of f over the mixture with shares c: since f <= p_1 / 2 + p_2 / 4 + p_3, it is the
+  /// largest of 1/2 / c_1, 1/4 / c_2 and 1 / c_3.
   template <class Number>
   static Bound mixture(const std::array<Number, 3>& shares) {
     const std::array<double, 3> c{double(shares[0]), double(shares[1]), double(shares[2])};
@@ -84,8 +88,8 @@ auto one_sample_peaks(const std::string& name, const std::vector<std::string>& s
                             "elementary; Veach 1997, 9.2.4", TwoPeaks::integral, one_sample_of_peaks<Heuristic>());
 }
 
-/// The whole solid angle of the hemisphere, by cosine-weighted and uniform directions: by the former alone 1 / p = pi / z
-/// has no bound, and infinite variance.
+/// The solid angle of the hemisphere, by cosine-weighted and uniform directions. By cosine-weighted
+/// ones alone 1 / p = pi / z is unbounded and has infinite variance.
 template <class Heuristic>
 auto solid_angle_by_two(const std::string& name) {
   constexpr double tau = 2 * std::numbers::pi;
@@ -110,7 +114,8 @@ inline auto height_squared() {
 }
 inline constexpr double height_squared_integral = 2 * std::numbers::pi / 3;
 
-/// With z, whose integral is pi, for a control. The best factor is 1; 3/4 would leave a wrong one nowhere to hide.
+/// The same with z, whose integral is pi, as the control. The best factor is 1; this uses 3/4, so
+/// that a wrong use of the factor shows.
 template <template <class, class> class Variate>
 auto controlled_height_squared() {
   return []<class Real>(std::type_identity<Real> real) {
@@ -163,7 +168,8 @@ inline auto nested_peaks(const std::string& name) {
                             TwoPeaks::integral, make);
 }
 
-/// An estimator that takes its n numbers at once, so that the one after it has the same numbers in each arithmetic.
+/// Takes the n numbers of an estimator in advance, so that the estimator after it has the same
+/// numbers in each arithmetic.
 template <class Inner>
 struct WithNumbersOfItsOwn {
   using Scalar = typename Inner::Scalar;

@@ -5,11 +5,12 @@
 
 namespace fairlight {
 
-/// Strategies that must have the same mean: the difference of independent draws has the mean 0. The margin is
-/// relative to `scale`, the size of the two means, on which the verdict that they differ does not rest.
+/// Strategies that must have the same mean: the difference of independent draws has mean 0. The
+/// margin is relative to `scale`, the size of the two means. The verdict `biased` does not depend
+/// on `scale`.
 
-/// One of two unequal lights, weighted by |L|, against all of them, both by cone.
-/// Bound: one of them counts twice, which is at most twice the sum of their largest terms.
+/// One of two unequal lights, weighted by |L|, against both, all by cone.
+/// Bound    the one counts twice, which is at most twice the sum of the largest terms
 template <class One, class All>
 auto one_against_all(const std::string& name) {
   const SpheresOverPlane floor = two_lights();
@@ -33,13 +34,16 @@ auto one_against_all(const std::string& name) {
                   draw};
 }
 
-/// Roulette on against off, in the Cornell box, over a patch of its floor, up to four bounces.
-/// Bound: the light's sphere, 4 pi r^2 = 9 pi, is nowhere nearer to a surface than 15 (the ceiling), so a shadow
-/// ray brings at most 9 x 400 x 0.8 / 15^2 = 12.8, times a throughput of at most 1; there are four.
-/// Scale: the light alone, unoccluded, shows 0.75 x 400 (r/d)^2 cos >= 0.75 x 400 (1.5/80)^2 (63/80) = 0.083 in grey, and
-/// bounces and nearness make it about 0.25. 0.15 is taken, so the margin is no wider than it says.
+/// Roulette on against roulette off, over a patch of the floor of the Cornell box, up to four
+/// bounces.
 template <class On, class Off>
 auto roulette_on_against_off(const std::string& name) {
+  // Bound: the light has the area 4 pi r^2 = 9 pi and is at least 15 from every surface (the
+  // ceiling). So a shadow ray brings at most 9 x 400 x 0.8 / 15^2 = 12.8, times a throughput of at
+  // most 1; there are four.
+  // Scale: the light alone, unoccluded, gives 0.75 x 400 (r/d)^2 cos >= 0.75 x 400 (1.5/80)^2
+  // (63/80) = 0.083 in grey; bounces and shorter distances raise it to about 0.25. The scale is
+  // 0.15, so the margin is no wider than stated.
   const View box = built_in_scene("cornell-simple");
   const Vec3<double> eye(50, 52, 150);
   const Ray<double> down{eye, {0, -1, 0}, -1};

@@ -5,11 +5,12 @@
 
 namespace fairlight {
 
-/// What combinators are for: the variance that they save, in closed form. Their means do not know whether they do.
+/// The variance that combinators save, in closed form. Tests of their means cannot see it.
 
-/// The paper's loaded die and fair one (pick.all.dice), throwing two dice a time: both, of variance 20/9 + 35/12 = 185/36; or twice
-/// one of them, doubled and averaged, of variance 21 + 91/6 - (47/6)^2 / 2 = 395/72. One of them is no better at equal cost: what
-/// it saves is the cost.
+/// The loaded die and the fair die of the paper (pick.all.dice), with two throws for each draw.
+/// Throwing both has the variance 20/9 + 35/12 = 185/36. Throwing one of them twice, doubled and
+/// averaged, has the variance 21 + 91/6 - (47/6)^2 / 2 = 395/72. Picking one is no better at
+/// equal cost: it saves cost only.
 template <class Terms>
 VarianceArm dice(const std::string& name, int times) {
   const auto sum = two_dice<Terms>("", {}).draw;
@@ -42,7 +43,7 @@ inline VarianceArm one_height_squared() {
 }
 using HeightSquared = decltype(height_squared()(std::type_identity<double>{}));
 
-/// Three runs that know nothing of each other.
+/// Splitting into three independent runs.
 template <template <class> class Split = Splitting>
 Claim splitting_variance() {
   const Split<HeightSquared> three(height_squared()(std::type_identity<double>{}), 3);
@@ -50,7 +51,8 @@ Claim splitting_variance() {
                         detail::contender("an estimator split in three", three), one_height_squared());
 }
 
-/// Less 3/4 of z: Var z = 1/12 and Cov(z^2, z) = 1/4 - 1/6 = 1/12, so 4/45 - 3/2 / 12 + 9/16 / 12 = 31/256 x 4/45.
+/// The control variate 3/4 z. Var z = 1/12 and Cov(z^2, z) = 1/4 - 1/6 = 1/12, so the variance is
+/// 4/45 - 3/2 / 12 + 9/16 / 12 = 31/256 x 4/45.
 template <template <class, class> class Variate = ControlVariate>
 Claim control_variate_variance() {
   return variance_claim("variance.control_variate", {"ControlVariate"}, "elementary; Hammersley and Handscomb 1964",
@@ -60,8 +62,9 @@ Claim control_variate_variance() {
                         one_height_squared());
 }
 
-/// A grid of 3 by 2, two in each third of z. In third j, z = (j + t) / 3 and Var z^2 = Var(2 j t + t^2) / 81, which is 4/45,
-/// 34/45 and 94/45 over 81: the mean of the six has (2/36) (132/45) / 81 = 11/486 x 4/45.
+/// A grid of 3 by 2 strata, two in each third of z. In third j, z = (j + t) / 3 and Var z^2 = Var(2
+/// j t + t^2) / 81, which is 4/45, 34/45 and 94/45 over 81. The mean of the six has the variance
+/// (2/36) (132/45) / 81 = 11/486 x 4/45.
 template <template <class> class Strata = StratifiedMean>
 Claim stratified_mean_variance() {
   const Strata<HeightSquared> grid(height_squared()(std::type_identity<double>{}), 3, 2);

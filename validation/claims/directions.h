@@ -7,17 +7,17 @@
 
 namespace fairlight {
 
-/// The laws of directions about an axis, and integrals by drawing from them. With h = 1 - cos(alpha) the height below
-/// the axis, dw = dh dphi.
+/// The laws of directions about an axis, and integrals by importance sampling with them. With
+/// h = 1 - cos(alpha), the height below the tip of the axis, dw = dh dphi.
 
-/// A cone of 120 degrees half angle: 1 - cos = 1.5, exactly, in floats as well.
+/// A cone of 120 degrees half-angle: 1 - cos = 1.5, which floats represent exactly.
 template <template <class> class Cone>
 auto cone_law() {
   return LawEstimand{"cone.uniform", "UniformCone", "Shirley, Wang, Zimmerman 1996",
                      []<class Real>(std::type_identity<Real>) { return Cone<Real>(Real(1.5)); }, CapDomain(1.5)};
 }
 
-/// A lobe about a tilted axis.
+/// A power-cosine lobe about a tilted axis.
 template <template <class> class Lobe>
 auto lobe_law(const std::string& name, double exponent) {
   const Eigen::Vector3d axis(2.0 / 3, -1.0 / 3, 2.0 / 3);
@@ -33,8 +33,9 @@ auto lobe_law(const std::string& name, double exponent) {
                      8};
 }
 
-/// The integral over a cone of 1 + sin^2(theta) / sin^2(theta_max). With s the latter and H = 1 - cos(theta_max),
-/// sin^2(theta) = 2h - h^2, so it is 2 pi (H + (H^2 - H^3/3) / s); between half of its supremum over p and the whole.
+/// The integral over a cone of 1 + sin^2(theta) / s, with s = sin^2(theta_max). With
+/// H = 1 - cos(theta_max) and sin^2(theta) = 2h - h^2 it is 2 pi (H + (H^2 - H^3/3) / s). The
+/// integrand over p is between half of its supremum and the supremum.
 template <template <class> class Cone>
 auto cone_integral(const std::string& name, double sine_squared) {
   const double height = sine_squared / (1 + std::sqrt(1 - sine_squared));
@@ -56,8 +57,8 @@ auto cone_integral(const std::string& name, double sine_squared) {
       draw};
 }
 
-/// The integral of cos^m(alpha) over the directions about an axis is 2 pi / (m + 1); by a lobe of exponent n, with
-/// m = 3n/2, it is nowhere above 2 pi / (n + 1) over p.
+/// The integral of cos^m(alpha) over the directions about an axis is 2 pi / (m + 1). With a lobe of
+/// exponent n and m = 3n/2, the integrand over p is at most 2 pi / (n + 1).
 template <template <class> class Lobe>
 auto lobe_integral(const std::string& name, double exponent) {
   constexpr double tau = 2 * std::numbers::pi;
@@ -81,7 +82,7 @@ auto lobe_integral(const std::string& name, double exponent) {
       draw};
 }
 
-/// The integral of z^2 over all directions, 4 pi / 3; a draw is 4 pi z^2.
+/// The integral of z^2 over all directions is 4 pi / 3; a draw is 4 pi z^2.
 template <template <class> class Directions>
 auto sphere_integral() {
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {

@@ -7,13 +7,14 @@
 
 namespace fairlight {
 
-/// What the fit of the lost energy may add to a mean or take from it.
+/// The largest relative error that the fit of the lost energy gives a mean.
 inline constexpr double loss_rounding = 1e-5;
 
 template <class Real, class Loss>
 using GreyConductor = EnergyCompensatedConductor<Real, ConstantReflectance<Real>, Loss>;
 
-/// An energy-compensated conductor of grey facets, whose lost energy may be wrong, seen from a height.
+/// An energy-compensated conductor of grey facets, seen from the height z. A fault can replace its
+/// `Loss`.
 template <class Loss>
 struct GreyMetal {
   double alpha, z, reflectance;
@@ -25,12 +26,12 @@ struct GreyMetal {
   }
   GgxView view() const { return {alpha, alpha, z}; }
 
-  /// The surface of a Real: the loss is fitted once, not for each draw.
+  /// The surface in every arithmetic. It fits the loss once, not for each draw.
   auto surfaces() const { return std::tuple(surface<double>(), surface<Packet>()); }
 };
 
-/// The mean weight of a bounce. `upper`: the lobes are mixed, so a weight is at most the larger of theirs, F / E(out)
-/// and F (1 - E(in)) / (1 - Eavg).
+/// The mean weight of a bounce. `upper` bounds the weight: the lobes are mixed, so it is at most
+/// the larger of theirs, F / E(out) and F (1 - E(in)) / (1 - Eavg).
 template <class Loss>
 auto metal_weight(const std::string& name, const GreyMetal<Loss>& metal, double albedo, double upper) {
   const auto draw = [surfaces = metal.surfaces(), out = metal.view().out()]<class Real>(std::type_identity<Real>,
@@ -48,14 +49,15 @@ auto metal_weight(const std::string& name, const GreyMetal<Loss>& metal, double 
                   draw};
 }
 
-/// The white furnace: facets that absorb nothing give back all the light.
+/// The white furnace: facets that absorb nothing reflect all the light.
 template <class Loss = GgxLoss>
 auto metal_furnace(const std::string& name, double alpha, double z, double upper) {
   return metal_weight(name, GreyMetal<Loss>{alpha, z, 1}, 1, upper);
 }
 
-/// Grey facets F at alpha = 1, where E(z) = 1 - z log(1 + 1/z) and Eavg = 4/3 (1 - log 2). Light that is reflected once
-/// is F E; what stays is reflected on, with the albedo F and the part Eavg leaving each time.
+/// Grey facets of reflectance F at alpha = 1, where E(z) = 1 - z log(1 + 1/z) and Eavg = 4/3
+/// (1 - log 2). A single reflection gives F E. The rest is reflected again, with the reflectance F,
+/// and the share Eavg leaves each time.
 template <class Loss = GgxLoss>
 auto grey_metal(const std::string& name) {
   const GreyMetal<Loss> metal{1, 0.6, 0.5};
@@ -66,8 +68,9 @@ auto grey_metal(const std::string& name) {
   return metal_weight(name, metal, f * once + further * (1 - once), f / once);
 }
 
-/// The white furnace by uniform directions: the integral of f cos is 1. Bound: that of the single reflection, as in
-/// conductor_uniform, and 2 pi (1 - E(out)) (1 - E(in)) / (pi (1 - Eavg)).
+/// The white furnace by uniform directions: the integral of f cos is 1.
+/// Bound    that of the single reflection, as in conductor_uniform, plus 2 pi (1 - E(out))
+///          (1 - E(in)) / (pi (1 - Eavg))
 template <class Loss = GgxLoss>
 auto metal_uniform(const std::string& name) {
   const GreyMetal<Loss> metal{1, 0.6, 1};

@@ -7,11 +7,12 @@
 
 namespace fairlight {
 
-/// The mean squared offset of a filter along an axis, in closed form, [pixel^2]. Of its own scale, the reach r:
+/// The mean squared offset of a filter along an axis, in closed form [pixel^2]. r is the reach:
 ///   box            r^2 / 3
-///   tent           1/6, of reach 1
+///   tent           1/6, for a reach of 1
 ///   Gaussian       s^2 (1 - 2 a phi(a) / (2 Phi(a) - 1)), a = r/s, cut off at r
-///   cosine series  r^2 (1/3 + sum 2 (-1)^k (a_k / a_0) / (k pi)^2), as int_0^1 x^2 cos(k pi x) dx = 2 (-1)^k / (k pi)^2
+///   cosine series  r^2 (1/3 + sum 2 (-1)^k (a_k / a_0) / (k pi)^2),
+///                  as int_0^1 x^2 cos(k pi x) dx = 2 (-1)^k / (k pi)^2
 inline double cut_gaussian_moment(double deviation, double reach) {
   const double a = reach / deviation;
   const double density = std::exp(-a * a / 2) / std::sqrt(2 * std::numbers::pi);
@@ -28,7 +29,8 @@ inline double blackman_harris_moment(double reach) {
   return reach * reach * sum;
 }
 
-/// The mean of 1 - x^2 / reach^2, and likewise in y and of both, over a filter's offsets: in [0,1], and steadier than x^2.
+/// The means of 1 - x^2 / reach^2, of the same in y, and of their product, over the offsets of a
+/// filter. They are in [0,1], and vary less than x^2.
 template <class Make>
 auto filter_moment(const std::string& name, const std::string& subject, double moment, double reach,
                    const Make& make) {

@@ -6,11 +6,13 @@
 
 namespace fairlight {
 
-/// Reflectances of smooth boundaries, in other forms than those of the kit.
+/// Reflectances of smooth boundaries, by other formulas than those of the estimators.
 
-/// Fresnel's equations in the angles of incidence i and refraction t, sin t = sin i / n, as Fresnel wrote them:
-/// the mean of sin^2(i - t) / sin^2(i + t), polarised across the plane of incidence, and tan^2(i - t) / tan^2(i + t),
-/// along it. At i = 0 their limit, ((n - 1) / (n + 1))^2. Radians. Source: Born and Wolf, 1.5.2.
+/// Fresnel's equations in the angles of incidence i and refraction t [rad], with sin t = sin i / n.
+/// The mean of the reflectances for polarisation across and along the plane of incidence.
+/// Formula  sin^2(i - t) / sin^2(i + t) across, tan^2(i - t) / tan^2(i + t) along; at i = 0 their
+///          limit ((n - 1) / (n + 1))^2
+/// Source   Born and Wolf, 1.5.2
 inline double fresnel_by_angles(double i, double n) {
   if (i == 0) return std::pow((n - 1) / (n + 1), 2);
   if (std::sin(i) >= n) return 1;
@@ -20,8 +22,10 @@ inline double fresnel_by_angles(double i, double n) {
   return (across * across + along * along) / 2;
 }
 
-/// The same for a complex index: the amplitudes (cos i - m cos t) / (cos i + m cos t) and
-/// (m cos i - cos t) / (m cos i + cos t), with the complex cosine of t from sin t = sin i / m. Source: Born and Wolf, 14.2.
+/// The same for a complex index m, with the complex cosine of t from sin t = sin i / m.
+/// Formula  the amplitudes (cos i - m cos t) / (cos i + m cos t) and (m cos i - cos t) / (m cos
+///          i + cos t)
+/// Source   Born and Wolf, 14.2
 inline double fresnel_by_amplitudes(double i, std::complex<double> m) {
   const std::complex<double> sine = std::sin(i) / m;
   const std::complex<double> t = std::sqrt(1.0 - sine * sine);
@@ -29,8 +33,9 @@ inline double fresnel_by_amplitudes(double i, std::complex<double> m) {
   return (std::norm((c - m * t) / (c + m * t)) + std::norm((m * c - t) / (m * c + t))) / 2;
 }
 
-/// What a smooth dielectric of index n > 1 reflects of diffuse light from outside: the integral of F cos / pi over the
-/// hemisphere. Source: Walsh 1926; Duntley 1942.
+/// The reflectance of a smooth dielectric of index n > 1 for diffuse light from outside: the
+/// integral of F cos / pi over the hemisphere.
+/// Source   Walsh 1926; Duntley 1942
 inline double diffuse_reflectance_outside(double n) {
   const double n2 = n * n;
   const double n4 = n2 * n2;
@@ -42,8 +47,10 @@ inline double diffuse_reflectance_outside(double n) {
          8 * n4 * (n4 + 1) / (plus * (n4 - 1) * (n4 - 1)) * std::log(n);
 }
 
-/// And from inside. A ray and its reverse are refracted alike, F(i, n) = F(t, 1/n), and cos i dw_i = n^2 cos t dw_t, so
-/// what comes in of diffuse light, 1 - R, is n^2 times what goes out. Source: Duntley 1942.
+/// The same for diffuse light from inside. A ray and its reverse have the same reflectance, F(i,
+/// n) = F(t, 1/n), and cos i dw_i = n^2 cos t dw_t. So the share 1 - R that comes in is n^2 times
+/// the share that goes out.
+/// Source   Duntley 1942
 inline double diffuse_reflectance_inside(double n) { return 1 - (1 - diffuse_reflectance_outside(n)) / (n * n); }
 
 }  // namespace fairlight

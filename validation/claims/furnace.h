@@ -8,12 +8,13 @@
 
 namespace fairlight {
 
-/// The furnace: inside a closed diffuse sphere that emits Le everywhere and reflects rho, every path sees Le at
-/// every vertex, so L = Le (1 + rho + rho^2 + ...) = Le / (1 - rho) in every direction, and the terms up to depth n
-/// sum to Le (1 - rho^(n+1)) / (1 - rho). Source: the geometric series of the transport operator, whose value here
-/// is rho times the identity (Kajiya 1986).
-///
-/// The sphere is neither at the origin nor of unit size, and the three channels differ.
+/// The furnace: inside a closed diffuse sphere that emits Le and reflects rho everywhere, a path
+/// sees Le at every vertex. The sphere is not at the origin and not of unit size; the three
+/// channels differ.
+/// Formula  L = Le (1 + rho + rho^2 + ...) = Le / (1 - rho) in every direction; the terms up to
+///          depth n sum to Le (1 - rho^(n+1)) / (1 - rho)
+/// Source   the geometric series of the transport operator, which is rho times the identity here
+///          (Kajiya 1986)
 struct Furnace {
   Scene scene;
   Ray<double> ray;
@@ -21,20 +22,21 @@ struct Furnace {
   Rgb<double> albedo{0.3, 0.5, 0.7};
   std::string description = "inside a closed sphere";
 
-  /// `metre`: how long a metre of it is, which must make no difference.
+  /// `metre` is the length of a metre in the units of the scene. It must make no difference.
   explicit Furnace(double metre = 1)
       : ray{metre * Vec3<double>(1.5, -2.25, 4), Vec3<double>(2, 3, -6).normalized(), -1} {
     scene.add_sphere(metre * Vec3<double>(3, -2, 5), 7 * metre, albedo, radiance);
   }
 
-  /// Le (1 - rho^(depth+1)) / (1 - rho); the whole series for a negative depth.
+  /// Le (1 - rho^(depth+1)) / (1 - rho), or the whole series for a negative depth.
   double reference(int channel, int depth) const {
     const double rho = albedo[channel];
     return radiance[channel] * (depth < 0 ? 1 : 1 - std::pow(rho, depth + 1)) / (1 - rho);
   }
 
-  /// The whole series, of paths that bring `first` and then these terms, each rho/q times as large as the one before, q >= rho being the
-  /// probability that they go on. A tail hides a billionth. Throws std::invalid_argument for a smaller q, of which there is no bound.
+  /// The whole series, from paths that bring `first` and then these terms. Each term is at most
+  /// rho/q times the one before, where q >= rho is the probability to go on. The tail slack is 1e-9
+  /// of the mean. Throws std::invalid_argument for q < rho, which has no bound.
   Reference reference_within(int channel, double first, const GeometricSum& terms) const {
     const double mean = reference(channel, -1), ratio = albedo[channel] / terms.goes_on;
     if (ratio > 1) throw std::invalid_argument("a path that goes on more rarely than it is reflected has no bound");
@@ -44,13 +46,16 @@ struct Furnace {
   }
 };
 
-/// Paths with roulette by reflectance (q = 0.7, the largest) through the whole series; by throughput from the first bounce on it is the same.
-/// Bound: after k bounces the throughput is (rho/q)^k. Where rho < q the sum is below Le / (1 - rho/q); where rho = q a path brings Le at each
-/// of a geometric number of vertices. With shadow rays the depths above 0 come one vertex earlier and reflected, so n vertices bring
-/// 1 + rho n for n, which is more for few alone, far below the bound. `vertex` says how many times that a vertex may bring.
+/// The whole series from paths with roulette by reflectance (q = 0.7, the largest albedo); from the
+/// first bounce on, roulette by throughput is the same. A vertex may bring up to `vertex` times as
+/// much.
 template <class Tracer>
 auto furnace_radiance(const std::string& name, std::vector<std::string> subjects, double margin_factor = 1,
                       const Furnace& furnace = Furnace(), double vertex = 1) {
+  // Bound: after k bounces the throughput is (rho/q)^k. If rho < q the sum is below
+  // Le / (1 - rho/q). If rho = q a path brings Le at each of a geometric number of vertices. With
+  // shadow rays the terms of depth 1 and more come one vertex earlier, times rho, so n vertices
+  // bring 1 + rho n instead of n. That is more only for small n, far below the bound.
   const double q = furnace.albedo.maxCoeff();
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
@@ -66,8 +71,9 @@ auto furnace_radiance(const std::string& name, std::vector<std::string> subjects
                   RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
 }
 
-/// A white mirror ball in it is invisible: it shows what the sphere shows. The ray meets it head on.
-/// A vertex of the sphere may bring twice as much: what its shadow ray finds, and what the bounce finds in the mirror.
+/// A furnace with a white mirror ball, which is invisible: it shows what the sphere shows. The ray
+/// meets it head on. A vertex of the sphere may bring twice as much: from its shadow ray, and from
+/// a bounce that sees the sphere in the mirror.
 inline Furnace furnace_with_mirror() {
   Furnace furnace;
   furnace.scene.add_sphere({2.5, -0.75, 1}, 1, Material(Material::Kind::mirror, Rgb<double>::Ones(), 1),
@@ -88,17 +94,19 @@ inline Furnace furnace_with_another() {
   return furnace;
 }
 
-/// A second sphere, of the same emission and reflectance, stands in the furnace. Every ray still ends on a surface that shows
-/// Le and reflects rho, so L = Le / (1 - rho) as before; but now there are two luminaires, unlike in size, that hide parts of
-/// each other, and the terms of a shadow ray are no longer constant.
-/// Bound: at every vertex shadow rays bring rho Le in the mean, and `largest` rho Le at most. Points of the two spheres are at least 4
-/// apart, so a shadow ray to the larger brings at most 4 R^2 rho Le / 4^2 = 12.25 rho Le where it starts on the smaller, and rho Le where it
-/// starts on the larger itself; one to the smaller, of radius 1, 0.25 rho Le, and none from itself, which is convex. One of two counts
-/// twice. By cone the larger brings at most S f Le = 4 rho Le, being all around, and the smaller, which fills at most 0.0102 of all directions
-/// as seen from the larger, 0.041 rho Le; so 4.1 rho Le by all, and by power, 1 to 49, 4.1 rho Le again.
-/// Roulette as in furnace_radiance.
+/// A furnace with a second sphere of the same emission and reflectance. Every ray still ends on a
+/// surface that emits Le and reflects rho, so L = Le / (1 - rho). But now two luminaires of
+/// different sizes occlude each other in part, and the terms of shadow rays vary. Shadow rays at a
+/// vertex bring rho Le in the mean, and at most `largest` rho Le.
 template <class Make>
 auto two_spheres(const std::string& name, std::vector<std::string> subjects, double largest, const Make& make) {
+  // Bounds, in units of rho Le. Points of the two spheres are at least 4 apart. By area a shadow
+  // ray to the larger sphere brings at most 4 R^2 / 4^2 = 12.25 from the smaller one, and 1 from
+  // the larger one itself. One to the smaller sphere, of radius 1, brings at most 0.25, and nothing
+  // from itself, as it is convex. If one of two is picked, it counts twice. By cone the larger
+  // sphere, which surrounds everything, brings at most S f Le = 4. The smaller fills at most 0.0102
+  // of all directions as seen from the larger, and brings 0.041. So all lights bring 4.1, and a
+  // choice by power, 1 to 49, also 4.1. Roulette as in furnace_radiance.
   const Furnace furnace = furnace_with_another();
   const double q = furnace.albedo.maxCoeff();
   std::vector<Reference> references;
@@ -117,8 +125,8 @@ auto two_spheres(const std::string& name, std::vector<std::string> subjects, dou
 }
 
 /// Paths of at most `depth` bounces against the partial sum.
-/// Bound: a bounce multiplies the throughput by at most `largest_weight` rho / q, and a shadow ray brings at most
-/// `largest_weight` rho Le; q is 1 without roulette.
+/// Bound    a bounce multiplies the throughput by at most `largest_weight` rho / q, and a shadow
+///          ray brings at most `largest_weight` rho Le; q is 1 without roulette
 template <class Tracer>
 auto furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
                          double largest_weight) {

@@ -11,17 +11,17 @@
 
 namespace fairlight {
 
-/// The reflectance of the modified Phong model of albedo 1, as a function of the angle theta of the outgoing
-/// direction.
-///
-/// In polar coordinates (alpha, phi) about the mirror direction an incoming direction has the cosine
-/// A + B cos(phi), A = cos(alpha) cos(theta), B = sin(alpha) sin(theta). Its positive part integrates over phi to
-///   2 pi A                             where A >= B, that is alpha <= 90 degrees - theta: the whole circle is seen;
-///   2 (A psi + sqrt(B^2 - A^2)),       psi = arccos(-A/B), elsewhere.
-/// The reflectance is (n + 2) / (2 pi) times the integral of that and c^n over c = cos(alpha) in [0,1], whose first
-/// part, c >= sin(theta), is cos(theta) (1 - sin^(n+2)(theta)): 1 at normal incidence. At grazing it is (n + 2) /
-/// (2 pi) B((n + 1)/2, 3/2), Euler's beta.
+/// The reflectance of the modified Phong model of albedo 1, at the angle theta of the outgoing
+/// direction. It is 1 at normal incidence. At grazing incidence it is (n + 2) / (2 pi) B((n + 1)/2,
+/// 3/2), with Euler's beta function.
 inline double glossy_reflectance(double exponent, double theta) {
+  // In polar coordinates (alpha, phi) about the mirror direction, an incoming direction has the
+  // cosine A + B cos(phi), A = cos(alpha) cos(theta), B = sin(alpha) sin(theta). The integral of
+  // its positive part over phi is
+  //   2 pi A                             if A >= B, the whole circle: alpha <= 90 degrees - theta;
+  //   2 (A psi + sqrt(B^2 - A^2)),       psi = arccos(-A/B), otherwise.
+  // The reflectance is (n + 2) / (2 pi) times the integral of this and c^n over c = cos(alpha) in
+  // [0,1]. The part c >= sin(theta) gives cos(theta) (1 - sin^(n+2)(theta)).
   const double sine = std::sin(theta);
   const double cosine = std::cos(theta);
   if (sine == 0) return 1;
@@ -35,8 +35,9 @@ inline double glossy_reflectance(double exponent, double theta) {
   return cosine * (1 - std::pow(sine, exponent + 2)) + (exponent + 2) / (2 * std::numbers::pi) * cut;
 }
 
-/// The weight f cos / p of a bounce has the reflectance as its mean. By the lobe it is albedo (n + 2) / (n + 1)
-/// cos(in), by cosine-weighted directions albedo (n + 2) / 2 cos^n(alpha): `largest` is the factor of the albedo.
+/// The weight f cos / p of a bounce has the reflectance as its mean. By the lobe it is albedo
+/// (n + 2) / (n + 1) cos(in), by cosine-weighted directions albedo (n + 2) / 2 cos^n(alpha).
+/// `largest` is the largest factor of the albedo.
 template <template <class> class Surface>
 auto glossy_albedo(const std::string& name, double exponent, double theta, double largest) {
   constexpr double albedo = 0.75;
@@ -60,7 +61,7 @@ using LobeGlossy = Glossy<Real, PowerCosineLobe>;
 template <class Real>
 using CosineGlossy = Glossy<Real, CosineHemisphere>;
 
-/// The rows, which faults share: exponent 5, seen from above and at 45 degrees.
+/// The rows, which faults share: exponent 5, seen at normal incidence and at 45 degrees.
 template <template <class> class Surface>
 auto glossy_normal() {
   return glossy_albedo<Surface>("glossy.normal", 5, 0, 7.0 / 6);

@@ -5,11 +5,12 @@
 
 namespace fairlight {
 
-/// Where whole images take their numbers from: `draws(key, pixels, r)` is what image r draws with, from streams or sets
-/// of its own. It also says how the rows of such images differ from those of the others.
+/// The random numbers of whole images, from streams or point sets: `draws(key, pixels, r)` gives
+/// the draws of image r. It also states how the rows of such images differ from others.
 
-/// Where the numbers of image r are, each with so many units or replicates, at most 2^32: 32 bits hold those of some images,
-/// and as many more have the next key. Throws NoMoreDraws beyond the last key.
+/// The place of the numbers of image r. Each image has `each` units or replicates, at most 2^32. A
+/// key has 2^32 of them, enough for some images; further images use the next keys. Throws
+/// NoMoreDraws beyond the last key.
 struct ImagePlace {
   ImagePlace(const StreamKey& purpose, std::uint64_t r, std::uint64_t each)
       : ImagePlace(purpose, r, each, (std::uint64_t{1} << 32) / each) {}
@@ -37,7 +38,7 @@ struct FromStreams {
   }
 };
 
-/// As for every mean, the margin is twice that from independent numbers.
+/// Numbers from point sets. As for every mean, the margin is twice that from independent numbers.
 template <template <class> class Set>
 struct FromSets {
   explicit FromSets(const PointSetKind<Set>& kind)
@@ -50,13 +51,13 @@ struct FromSets {
 
   template <class Pixels>
   static auto draws(const StreamKey& key, const Pixels& pixels, std::uint64_t r) {
-    constexpr std::uint32_t samples = 128;  // of a pixel, at most
+    constexpr std::uint32_t samples = 128;  // the most samples of a pixel
     const ImagePlace place(key, r, samples * pixels.grid.size());
     return PixelPointSets<Set<double>, Pixels>(place.key, place.first, samples, pixels);
   }
 };
 
-/// The subjects of a row of images from such numbers.
+/// The subjects of a row of images from these numbers.
 template <class Numbers>
 std::vector<std::string> with_subjects(std::vector<std::string> subjects, const Numbers& numbers) {
   subjects.insert(subjects.end(), numbers.subjects.begin(), numbers.subjects.end());

@@ -8,10 +8,10 @@
 
 namespace fairlight {
 
-/// Integrals over the hemisphere, in closed form: with z = cos(theta) and dw = dz dphi, the integral of z^n is
-/// 2 pi / (n + 1).
+/// Integrals over the hemisphere, in closed form. With z = cos(theta) and dw = dz dphi, the
+/// integral of z^n is 2 pi / (n + 1).
 
-/// The height of a direction to a power of at least 1.
+/// The height z of a direction, to a power of at least 1.
 template <class Real>
 Real cosine_power(const Vec3<Real>& w, int power) {
   Real product = w.z();
@@ -19,14 +19,15 @@ Real cosine_power(const Vec3<Real>& w, int power) {
   return product;
 }
 
-/// The reference of an estimator that says itself where its draws lie, but for what doubles round.
+/// The reference of an estimator that states the bound of its draws, widened by the rounding of
+/// doubles.
 inline Reference reference_of(double mean, const Bound& bound) {
   const double slack = 1e-12 * std::max(std::abs(bound.lower), std::abs(bound.upper));
   return {mean, bound.lower == 0 ? 0 : bound.lower - slack, bound.upper + slack};
 }
 
-/// The experiment of such an estimator: `make(type_identity<Real>)` gives it. Its bound is on trial as well, for a draw
-/// outside of it is a failure.
+/// The estimand of such an estimator, which `make(type_identity<Real>)` gives. It tests the bound
+/// too: a draw outside it is a failure.
 template <class Make>
 auto bounded_experiment(const std::string& name, std::vector<std::string> subjects, const std::string& statement,
                         const std::string& source, double mean, const Make& make) {
@@ -35,7 +36,8 @@ auto bounded_experiment(const std::string& name, std::vector<std::string> subjec
   return Estimand{name, std::move(subjects), statement, source, 1, {reference_of(mean, reference.bound())}, draw};
 }
 
-/// Importance sampling of z^power by the law `Directions`; `largest` is the supremum of z^power / p.
+/// Importance sampling of z^power by the law `Directions`. `largest` is the supremum of
+/// z^power / p.
 template <template <class> class Directions>
 auto hemisphere_integral(const std::string& name, const std::string& subject, int power, double largest) {
   const auto make = [=]<class Real>(std::type_identity<Real>) {
@@ -48,7 +50,7 @@ auto hemisphere_integral(const std::string& name, const std::string& subject, in
                             "elementary", 2 * std::numbers::pi / (power + 1), make);
 }
 
-/// Roulette with survival probability q leaves the mean of what it is played on as it was.
+/// Roulette with the survival probability q keeps the mean of its inner estimator.
 template <class Roulette>
 auto roulette_integral(const std::string& name, double q) {
   const auto make = [=]<class Real>(std::type_identity<Real>) {
@@ -62,8 +64,8 @@ auto roulette_integral(const std::string& name, double q) {
       "elementary; Arvo and Kirk 1990", 2 * std::numbers::pi / 3, make);
 }
 
-/// The reflectance of a Lambertian surface: the weight f cos / p of a bounce has the albedo as its mean. With
-/// uniform directions the weight is 2 albedo cos(theta), at most twice the albedo.
+/// The reflectance of a Lambertian surface: the weight f cos / p of a bounce has the albedo as its
+/// mean. With uniform directions it is 2 albedo cos(theta), at most twice the albedo.
 template <template <class> class Directions>
 auto lambertian_albedo(const std::string& name, const std::string& subject) {
   constexpr double albedo = 0.75;
@@ -80,7 +82,7 @@ auto lambertian_albedo(const std::string& name, const std::string& subject) {
                   draw};
 }
 
-/// With cosine-weighted directions every bounce weighs exactly the albedo.
+/// With cosine-weighted directions every bounce has exactly the albedo as its weight.
 template <class Real>
 Claim lambertian_constant() {
   return {.name = "lambertian.cosine.weight" + real_suffix<Real>(),
@@ -100,8 +102,9 @@ Claim lambertian_constant() {
           .real = real_name<Real>()};
 }
 
-/// The paper's two dice (A.1): the sum of a loaded die, face k with probability k/21, and a fair one has the mean
-/// 91/21 + 7/2 = 47/6. `Terms` throws both, or one of them and doubles it.
+/// The two dice of the paper (A.1). The sum of a loaded die, with face k of probability k/21, and a
+/// fair one has the mean 91/21 + 7/2 = 47/6. `Terms` throws both, or throws one of them and doubles
+/// it.
 template <class Terms>
 auto two_dice(const std::string& name, std::vector<std::string> subjects) {
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {

@@ -7,17 +7,19 @@
 
 namespace fairlight {
 
-/// What apertures and lenses must do, in closed form.
-///
-/// Area and second moment of a regular polygon with n corners at distance R: its 2n right triangles have, with
-/// a = pi / n, the legs R cos(a) and R sin(a). A point of one is s (R cos(a), v R sin(a)) with s^2 and v uniform in
-/// [0,1]: E[s^2] = 1/2, E[v^2] = 1/3, so E[x^2 + y^2] = R^2 (cos^2(a) + sin^2(a) / 3) / 2 = R^2 (2 + cos(2 a)) / 6. A
-/// square has R^2 / 3, the disk, as n grows, R^2 / 2.
-///
-/// Blur: the ray through the point l of a lens focused at f meets the pinhole's ray at the distance f, so at d they are
-/// |l| |1 - d/f| apart. Over a disk E[|l|^2] = R^2 / 2: the mean squared distance is R^2/2 ((d - f) / f)^2.
+// Moments of apertures and lenses in closed form.
+//
+// Area and second moment of a regular polygon with n corners at the distance R: its 2n right
+// triangles have the legs R cos(a) and R sin(a), with a = pi / n. A point of one is s (R cos(a), v
+// R sin(a)) with s^2 and v uniform in [0,1]. With E[s^2] = 1/2 and E[v^2] = 1/3, E[x^2 + y^2] = R^2
+// (cos^2(a) + sin^2(a) / 3) / 2 = R^2 (2 + cos(2 a)) / 6. For a square this is R^2 / 3. As n grows
+// it tends to that of the disk, R^2 / 2.
+//
+// Blur: the ray through the point l of a lens focused at f meets the pinhole's ray at the distance
+// f. So at the distance d they are |l| |1 - d/f| apart. Over a disk E[|l|^2] = R^2 / 2, so the mean
+// squared distance is R^2/2 ((d - f) / f)^2.
 
-/// The Gaussian of half a pixel, cut off at two deviations.
+/// A Gaussian filter with a deviation of half a pixel, cut off at two deviations.
 template <template <class> class Filter>
 auto gaussian_law() {
   return LawEstimand{"filter.gaussian",
@@ -28,7 +30,7 @@ auto gaussian_law() {
                      8};
 }
 
-/// Uniform points of a disk of radius 2.5.
+/// Uniform points on a disk of radius 2.5.
 template <template <class> class Aperture>
 auto circular_aperture_law() {
   return LawEstimand{"aperture.circle", "CircularAperture", "Shirley and Chiu 1997",
@@ -36,7 +38,8 @@ auto circular_aperture_law() {
                      DiskDomain{2.5}};
 }
 
-/// Uniform points of a pentagon, turned: the coordinates of its draws have the moments of a uniform point of the square.
+/// Uniform points on a rotated pentagon: the coordinates of the draws have the moments of a uniform
+/// point of the square.
 template <class Real>
 Claim polygonal_aperture_claim() {
   return {
@@ -76,13 +79,15 @@ inline auto polygon_second_moment(int blades) {
                   draw};
 }
 
-/// The pinhole's direction that the lens claims look in: far from the axis, where it matters what a distance is along.
+/// The direction of the pinhole's ray in the claims about lenses. It is far from the axis, so that
+/// distances along the ray and along the axis differ.
 template <class Real>
 Vec3<Real> off_axis() {
   return {Real(0.75), Real(0.5), Real(1)};
 }
 
-/// How far apart a lens's rays are at `distance`, focused at 2.
+/// The squared distance between the rays of a lens and of a pinhole at `distance`. The lens is
+/// focused at 2.
 template <template <class> class Aperture, template <class, class> class Lens>
 auto circle_of_confusion(double distance) {
   constexpr double focus = 2;
@@ -105,7 +110,8 @@ auto circle_of_confusion(double distance) {
       draw};
 }
 
-/// A sum of coordinates of the point where a ray crosses the plane in focus, the same for every point of the lens.
+/// A sum of coordinates of the point where a ray crosses the plane of focus. It is the same for
+/// every point of the lens.
 template <class Real, template <class, class> class Lens>
 Claim focus_claim() {
   return {.name = "lens.focus" + real_suffix<Real>(),
@@ -127,7 +133,7 @@ Claim focus_claim() {
           .real = real_name<Real>()};
 }
 
-/// The mean radiance over an opening of the given area, of a field that is the same everywhere.
+/// The mean radiance over an aperture of this area, for a field of constant radiance.
 template <class Aperture>
 Claim uniform_field_claim(const std::string& name, const std::string& subject, const Aperture& aperture,
                           double area) {
@@ -149,7 +155,7 @@ Claim uniform_field_claim(const std::string& name, const std::string& subject, c
           .real = real_name<Real>()};
 }
 
-/// Of a disk, and of a pentagon, with the corners at 3/8.
+/// Adds these rows for a disk, and for a pentagon with its corners at 3/8.
 template <class Real>
 void add_uniform_fields(std::vector<Claim>& claims) {
   constexpr double radius = 0.375;

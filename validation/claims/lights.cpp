@@ -15,7 +15,8 @@ constexpr double tau = 2 * std::numbers::pi;
 const Vec3<double> up(0, 0, 1);
 const Vec3<double> aside(1, 0, 0);
 
-// Inside, with the centre above, the density by area is a smooth function of the height of a direction.
+// Inside a sphere, with its centre above the origin, the density by area is a smooth function of
+// the height of a direction.
 void add_laws(std::vector<Claim>& claims) {
   const SphereFromOrigin around{{0, 0, 0.5}, 2};
   const SphereFromOrigin touching{{0, 0, 2}, 2, true};
@@ -31,8 +32,8 @@ void add_laws(std::vector<Claim>& claims) {
                                                      HemisphereDomain{}));
 }
 
-// 1/p is at most the area over the square of the least distance, or the solid angle. By area the spheres are far: near
-// ones hide most of their points.
+// 1/p is at most the area over the square of the least distance, or the solid angle. The spheres
+// sampled by area are far away, as most points of near ones face away.
 void add_spheres(std::vector<Claim>& claims) {
   const SphereFromOrigin far{{3, 4, 12}, 1};
   const SphereFromOrigin near{{1, 2, 2.5}, 2};
@@ -110,11 +111,11 @@ void add_picks(std::vector<Claim>& claims) {
       add_mean(claims, sum_by_contribution("pick.contribution" + among, ManyLights(n, 0.05), 0.05, 1));
     }
   }
-  // A number for each light: more than a point set has dimensions.
+  // No point sets: these need a number for each light, more than a point set has dimensions.
   add_mean(claims, sum_of_all("pick.all.2", ManyLights(2, 0.5)));
   claims.push_back(mean_claim<double>(sum_of_all("pick.all.1000", ManyLights(1000, 0.5))));
   claims.push_back(mean_claim<Packet>(sum_of_all("pick.all.1000", ManyLights(1000, 0.5))));
-  // Every pick looks at all of the lights, so few picks, and no point sets.
+  // Every pick evaluates all lights, so there are few picks, and no point sets.
   const auto many = sum_by_contribution("pick.contribution.100000", ManyLights(100'000, 0.005), 0.005, 4);
   claims.push_back(mean_claim<double>(many));
   claims.push_back(mean_claim<Packet>(many));

@@ -9,14 +9,15 @@
 
 namespace fairlight {
 
-/// Lights of unit radiance, seen from the origin: what a strategy makes of an integral over their directions.
+/// Lights of unit radiance, seen from the origin: integrals over their directions, by a sampling
+/// strategy.
 
 template <class Real>
 Vec3<Real> rounded_vector(const Vec3<double>& v) {
   return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
 }
 
-/// A sphere with an origin that may lie on it.
+/// A sphere. The origin may lie on it.
 struct SphereFromOrigin {
   Vec3<double> centre;
   double radius;
@@ -68,11 +69,11 @@ auto sphere_strategy(const SphereFromOrigin& sphere) {
   return [=]<class Real>(std::type_identity<Real>) { return Strategy<Real>(sphere.template light<Real>()); };
 }
 
-/// The faces of a surface that are lit.
+/// The faces of a surface that receive light.
 enum class Faces { front, both };
 
-/// The integral of the cosine over the directions of a light, an irradiance: cos / p. `make` gives the strategy in an
-/// arithmetic; `largest` bounds 1/p.
+/// The irradiance from a light: the integral of the cosine over its directions, by draws of
+/// cos / p. `make` gives the strategy in an arithmetic; `largest` bounds 1/p.
 template <class Make>
 auto irradiance(const std::string& name, const std::string& subject, const std::string& statement,
                 const std::string& source, const Make& make, const Vec3<double>& normal, Faces faces, double mean,
@@ -87,7 +88,7 @@ auto irradiance(const std::string& name, const std::string& subject, const std::
   return Estimand{name, {subject}, statement, source, 1, {{mean, 0, largest * (1 + 1e-9)}}, draw};
 }
 
-/// That of a sphere from without, or with the origin on it.
+/// The irradiance from a sphere, with the origin outside or on it.
 template <template <class> class Strategy>
 auto sphere_irradiance_claim(const std::string& name, const std::string& subject, const SphereFromOrigin& sphere,
                              const Vec3<double>& normal, double largest) {
@@ -99,7 +100,7 @@ auto sphere_irradiance_claim(const std::string& name, const std::string& subject
                     Faces::front, mean, largest);
 }
 
-/// That of a sphere around the origin, on both faces of a sheet there: pi on each.
+/// The irradiance from a sphere around the origin, on both faces of a sheet there: pi on each.
 template <template <class> class Strategy>
 auto enclosed_irradiance_claim(const std::string& name, const std::string& subject, const SphereFromOrigin& sphere,
                                const Vec3<double>& normal, double largest) {
@@ -108,7 +109,7 @@ auto enclosed_irradiance_claim(const std::string& name, const std::string& subje
                     largest);
 }
 
-/// That of a rectangle.
+/// The irradiance from a rectangle.
 template <template <class> class Strategy>
 auto rectangle_irradiance_claim(const std::string& name, const std::string& subject,
                                 const RectangleFromOrigin& rectangle, const Vec3<double>& normal, double largest) {
@@ -120,7 +121,7 @@ auto rectangle_irradiance_claim(const std::string& name, const std::string& subj
                     polygon_irradiance(rectangle.corners(), normal), largest);
 }
 
-/// The solid angle of a rectangle, the mean of 1/p.
+/// The solid angle of a rectangle: the mean of 1/p.
 template <template <class> class Strategy>
 auto rectangle_solid_angle_claim(const std::string& name, const std::string& subject,
                                  const RectangleFromOrigin& rectangle, double largest) {
@@ -138,7 +139,7 @@ auto rectangle_solid_angle_claim(const std::string& name, const std::string& sub
                   draw};
 }
 
-/// The directions that a strategy takes from a point, as a law.
+/// The directions that a strategy samples from a point, as a law.
 template <class Light>
 struct DirectionsFrom {
   using Scalar = typename Light::Scalar;
@@ -162,8 +163,9 @@ auto sphere_direction_law(const std::string& name, const std::string& subject, c
   return LawEstimand{name, subject, "Shirley, Wang, Zimmerman 1996", make, domain};
 }
 
-/// The points of a rectangle as fractions of its edges, drawn uniformly in solid angle: the density is everywhere that in the
-/// rectangle's middle, turned into area.
+/// The points of a rectangle as fractions of its edges, drawn uniformly in solid angle. The density
+/// per solid angle is constant; the class takes it at the middle of the rectangle, and converts it
+/// to area at each point.
 class RectanglePoints {
  public:
   using Scalar = double;

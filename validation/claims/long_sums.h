@@ -5,8 +5,9 @@
 
 namespace fairlight {
 
-/// A sum of floats that has come to 2^24 takes no more numbers below 1: each is rounded off. One that keeps what is rounded off
-/// takes 256 of them up, to 2 ulp of it; their own sum, which is small, is good to a thousandth of that.
+/// A sum of floats that has reached 2^24 ignores further numbers below 1: rounding drops each of
+/// them. LongSum keeps what rounding drops, so it takes up 256 such numbers, to 2 ulp of the sum.
+/// Their own sum is small and exact to a thousandth of that.
 template <template <class> class Sum = LongSum>
 Claim long_sum_claim() {
   return {.name = "long_sum.late.packet",

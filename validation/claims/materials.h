@@ -14,12 +14,12 @@
 
 namespace fairlight {
 
-/// The mean weight of a bounce is the albedo in the direction `out`, which smooth surfaces have in closed form, by
-/// Fresnel's equations.
+/// The mean weight of a bounce is the albedo in the direction `out`. For smooth surfaces it has a
+/// closed form, by Fresnel's equations.
 
-/// What smooth glass of index n passes on of radiance that falls on it: the share F that it reflects, and of the rest
-/// n^2 times less or more, as refraction into the denser medium makes radiance n^2 times denser, and light goes from `in`
-/// to `out`. `eta` is n seen from outside and 1/n from inside.
+/// The albedo of smooth glass for radiance: F + (1 - F) / eta^2, with F = `reflected`. Refraction
+/// into the denser medium multiplies radiance by n^2; light goes from `in` to `out`. `eta` is n if
+/// `out` is outside and 1/n if it is inside.
 inline double radiance_albedo(double reflected, double eta) { return reflected + (1 - reflected) / (eta * eta); }
 
 /// The largest weight of a bounce.
@@ -29,14 +29,14 @@ namespace detail {
 
 constexpr double glass_index = 1.5;
 
-/// `out` at an angle [rad] to the normal, above the surface or below it.
+/// The direction `out` at an angle [rad] to the normal, above the surface or below it.
 template <class Real>
 Vec3<Real> out_at(double angle, bool above) {
   return {rounded<Real>(0.6 * std::sin(angle)), rounded<Real>(0.8 * std::sin(angle)),
           rounded<Real>((above ? 1 : -1) * std::cos(angle))};
 }
 
-/// The numbers that a bounce takes.
+/// Samples a bounce with as many numbers as it takes.
 template <class Surface, class Source>
 Bounce<typename Surface::Scalar> bounce(const Surface& surface, const Vec3<typename Surface::Scalar>& out,
                                         Source& source) {
@@ -47,7 +47,8 @@ Bounce<typename Surface::Scalar> bounce(const Surface& surface, const Vec3<typen
 
 }  // namespace detail
 
-/// Three angles [degrees] from one side, one a channel, against Fresnel's equations in the angles.
+/// The albedo at three angles [degrees] from one side, one for each channel, against Fresnel's
+/// equations in the angles.
 template <template <class> class Glass>
 auto glass_albedo(const std::string& name, const std::array<double, 3>& degrees, bool above) {
   using detail::glass_index;
@@ -77,7 +78,8 @@ auto glass_albedo(const std::string& name, const std::array<double, 3>& degrees,
                   draw};
 }
 
-/// Cosine-distributed `out`: the mean weight is R + (1 - R) / eta^2, with R the diffuse reflectance of that side.
+/// For cosine-distributed `out` the mean weight is R + (1 - R) / eta^2, with R the diffuse
+/// reflectance of that side.
 template <template <class> class Glass>
 auto glass_diffuse(const std::string& name, bool above) {
   using detail::glass_index;
@@ -98,9 +100,10 @@ auto glass_diffuse(const std::string& name, bool above) {
                   draw};
 }
 
-/// The diffuse reflectance of glass from outside, 2 F cos in the mean over cosines that are uniform in [0,1). Bound: with
-/// h^2 = n^2 - 1 <= g^2, F is at most what is reflected polarised across, h^4 / (c + g)^4 <= h^4 / (c + h)^4, and c times
-/// that is largest at c = h / 3.
+/// The diffuse reflectance of glass from outside: the mean of 2 F cos over cosines that are uniform
+/// in [0,1).
+/// Bound    with h^2 = n^2 - 1 <= g^2, F is at most the reflectance for polarisation across,
+///          h^4 / (c + g)^4 <= h^4 / (c + h)^4, and c times this is largest at c = h / 3
 inline auto fresnel_diffuse(const std::string& name) {
   const double upper = 27.0 / 128 * std::sqrt(detail::glass_index * detail::glass_index - 1);
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
@@ -118,8 +121,9 @@ inline auto fresnel_diffuse(const std::string& name) {
                   draw};
 }
 
-/// The weight of a bounce off glass with the density of radiance undone: w eta^2 where it was refracted, to the other side. One
-/// `out` of 2^24 lies along the surface itself, on neither side, and all of it is reflected.
+/// The weight of a bounce off glass without the factor 1 / eta^2 of radiance: w eta^2 if it is
+/// refracted to the other side. One `out` of 2^24 lies in the surface, on neither side; it is
+/// reflected with all of its energy.
 template <class Glass>
 typename Glass::Scalar energy_weight(const Glass& glass, const Vec3<typename Glass::Scalar>& out,
                                      const Bounce<typename Glass::Scalar>& bounce) {
@@ -128,7 +132,7 @@ typename Glass::Scalar energy_weight(const Glass& glass, const Vec3<typename Gla
   return bounce.weight[0] * eta * eta;
 }
 
-/// What cannot be lost: that weight is 1 for light from all sides.
+/// Conservation of energy: this weight is 1 for every direction.
 template <class Real, template <class> class Glass>
 Claim glass_energy(const std::string& name) {
   const auto check = [](const Trial& trial) {
@@ -148,7 +152,8 @@ Claim glass_energy(const std::string& name) {
           .real = real_name<Real>()};
 }
 
-/// A metal like copper, in red, green and blue: absorbing throughout, and least like an insulator in red.
+/// A metal like copper, in red, green and blue: absorbing in all channels, and most unlike an
+/// insulator in red.
 struct Copper {
   std::array<double, 3> eta{0.22, 1.04, 1.21};
   std::array<double, 3> k{3.7, 2.58, 2.2};
@@ -165,7 +170,8 @@ struct Copper {
   }
 };
 
-/// What a smooth conductor reflects of diffuse light: F sin(2 i) over the angle, by quadrature.
+/// The reflectance of a smooth conductor for diffuse light: F sin(2 i) over the angle, by
+/// quadrature.
 inline auto conductor_diffuse(const std::string& name) {
   std::vector<Reference> references;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -186,7 +192,8 @@ inline auto conductor_diffuse(const std::string& name) {
                   draw};
 }
 
-/// A surface that every bounce from `angle` weighs the same on: `make(type_identity<Real>)` gives it; `mean` is its albedo.
+/// The row for a surface where every bounce from `angle` has the same weight, its albedo `mean`.
+/// `make(type_identity<Real>)` gives the surface.
 template <class Real, class Make>
 Claim constant_weight(const std::string& name, std::vector<std::string> subjects, const std::string& source,
                       double angle, double mean, const Make& make) {
@@ -206,7 +213,7 @@ Claim constant_weight(const std::string& name, std::vector<std::string> subjects
           .real = real_name<Real>()};
 }
 
-/// In double and in packets.
+/// Adds this row in double and in packets.
 template <class Make>
 void add_constant_weight(std::vector<Claim>& claims, const std::string& name,
                          const std::vector<std::string>& subjects, const std::string& source, double angle,

@@ -23,7 +23,7 @@ void add_rough_conductor(std::vector<Claim>& claims) {
   add_mean(claims, conductor_uniform("rough_conductor.uniform", {0.6, 0.6, 0.8}));
 }
 
-// Their bounds: the larger of 1 / E(out) and the largest loss over the mean loss, rounded up.
+// The bounds are the larger of 1 / E(out) and the largest loss over the mean loss, rounded up.
 void add_energy_compensation(std::vector<Claim>& claims) {
   add_mean(claims, metal_furnace("energy_compensation.furnace.smooth", 0.03, 0.5, 32));
   add_mean(claims, metal_furnace("energy_compensation.furnace.normal", 0.1, 1, 5));

@@ -7,13 +7,13 @@
 
 namespace fairlight {
 
-/// A direction, as near as Real comes to it.
+/// A direction, rounded to Real.
 template <class Real>
 Vec3<Real> direction(const Eigen::Vector3d& w) {
   return {rounded<Real>(w.x()), rounded<Real>(w.y()), rounded<Real>(w.z())};
 }
 
-/// A GGX surface and where it is seen from: the height z > 0, at an azimuth of its own.
+/// A GGX surface, and the direction that it is seen from: the height z > 0, at a fixed azimuth.
 struct GgxView {
   double alpha_x, alpha_y, z;
 
@@ -28,7 +28,8 @@ struct GgxView {
   double albedo() const { return GgxAlbedo{alpha_x, alpha_y}(out()); }
 };
 
-/// Visible normals follow their density, on the lune that is above the surface and faces `out`, where it is smooth.
+/// Visible normals follow their density, on the lune above the surface that faces `out`, where the
+/// density is smooth.
 template <template <class> class Normals = GgxVisibleNormals>
 auto visible_normals_law(const std::string& name, const GgxView& view) {
   return LawEstimand{name, "GgxVisibleNormals", "Heitz 2018; Dupuy and Benyoub 2023",
@@ -38,8 +39,10 @@ auto visible_normals_law(const std::string& name, const GgxView& view) {
                      LuneDomain{view.out(), Eigen::Vector3d::UnitZ()}};
 }
 
-/// The facets' area, as seen from `out`: the integral of max(0, out.m) D(m) is z (1 + Lambda), masked and unmasked
-/// together. Bound: D <= 1 / (pi ax ay), as no roughness is above 1, over the density 1 / (2 pi) of uniform directions.
+/// The projected area of the facets as seen from `out`: the integral of max(0, out.m) D(m) is z
+/// (1 + Lambda), with masked and unmasked facets together.
+/// Bound    D <= 1 / (pi ax ay), as no roughness is above 1, over the density 1 / (2 pi) of uniform
+///          directions
 template <template <class> class Facets = Ggx>
 auto facet_area(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
@@ -62,14 +65,15 @@ auto facet_area(const std::string& name, const GgxView& view) {
                   draw};
 }
 
-/// A conductor whose facets are white, from parts that may be wrong.
+/// A conductor of white facets. A fault can replace its parts.
 template <class Real, template <class> class Facets, template <class> class Normals>
 auto white_conductor(const GgxView& view) {
   using Surface = RoughConductor<Real, ConstantReflectance<Real>, Facets<Real>, Normals<Real>>;
   return Surface(view.facets<Facets, Real>(), ConstantReflectance<Real>(Rgb<Real>::Constant(Real(1))));
 }
 
-/// The mean weight of a bounce is the albedo. Bound: G2/G1 <= 1, and a little more, for a margin above an albedo near 1.
+/// The mean weight of a bounce is the albedo.
+/// Bound    G2/G1 <= 1, and a little more, since the albedo plus its margin may exceed 1
 template <template <class> class Facets = Ggx, template <class> class Normals = GgxVisibleNormals>
 auto conductor_weight(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
@@ -85,7 +89,7 @@ auto conductor_weight(const std::string& name, const GgxView& view) {
                   draw};
 }
 
-/// The same from `eval` and the density that comes with the bounce; 0 where there is none.
+/// The same from `eval` and the density of the bounce; 0 if there is none.
 template <template <class> class Facets = Ggx, template <class> class Normals = GgxVisibleNormals>
 auto conductor_density(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
@@ -104,8 +108,9 @@ auto conductor_density(const std::string& name, const GgxView& view) {
                   draw};
 }
 
-/// The same from uniform directions. Bound: D <= 1 / (pi ax ay), and z_in / (2 (s_out z_in + s_in z_out)) <= 1 / (2
-/// s_out), s_out >= z (1 + 2 Lambda).
+/// The same from uniform directions.
+/// Bound    D <= 1 / (pi ax ay), and z_in / (2 (s_out z_in + s_in z_out)) <= 1 / (2 s_out),
+///          s_out >= z (1 + 2 Lambda)
 template <template <class> class Facets = Ggx>
 auto conductor_uniform(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {

@@ -7,13 +7,13 @@
 
 namespace fairlight {
 
-/// What a mixture reflects is the sum of what its lobes do, however they are chosen: a bounce's mean weight is
-/// w_1 rho_1 + w_2 rho_2, and its mean weight times the height z of its direction the integral of f z^2, which is 2/3 of
-/// that for diffuse lobes.
+/// The reflectance of a mixture is the sum over its lobes, however they are picked. The mean weight
+/// of a bounce is w_1 rho_1 + w_2 rho_2. The mean of the weight times the height of the direction
+/// is the integral of f z^2, which for diffuse lobes is 2/3 of this.
 
 namespace detail {
 
-/// The weight of a bounce, and that times the height of its direction.
+/// The weight of a bounce, and the weight times the height of its direction.
 template <class Real>
 Vec2<Real> weight_and_height(const Bounce<Real>& bounce) {
   return {bounce.weight[0], Real(bounce.weight[0] * bounce.in.z())};
@@ -26,8 +26,9 @@ Rgb<Real> grey(double x) {
 
 }  // namespace detail
 
-/// Two diffuse lobes, one sampled by the cosine and one uniformly. Bound: f is constant, (w_1 rho_1 + w_2 rho_2) / pi, so
-/// the weight is that sum times z / (q_1 z + q_2 / 2), largest at z = 1.
+/// Two diffuse lobes, one sampled by the cosine and one uniformly.
+/// Bound    f is constant, (w_1 rho_1 + w_2 rho_2) / pi, so the weight is this sum times z / (q_1
+///          z + q_2 / 2), largest at z = 1
 template <template <class, class> class Mix>
 auto two_lambertians(const std::string& name) {
   constexpr double albedo = 0.5 * 0.25 + 0.75 * 0.75;
@@ -50,7 +51,8 @@ auto two_lambertians(const std::string& name) {
                   draw};
 }
 
-/// A mirror and a diffuse lobe, seen at the height 0.6, chosen in other proportions than they reflect.
+/// A mirror and a diffuse lobe, seen at the height 0.6. The probabilities of the lobes are not
+/// proportional to their reflectances.
 template <template <class, class> class Mix>
 auto mirror_and_lambertian(const std::string& name) {
   constexpr double z = 0.6;
@@ -76,7 +78,8 @@ auto mirror_and_lambertian(const std::string& name) {
                   draw};
 }
 
-/// Lobes chosen in proportion to what they reflect make every bounce weigh the albedo: 5/8 from w rho = 1/8 and 1/2.
+/// With probabilities proportional to the reflectances, every bounce has the albedo as its weight:
+/// 5/8, from w rho = 1/8 and 1/2.
 template <class Real>
 auto proportional_mixture() {
   using First = Mirror<Real>;

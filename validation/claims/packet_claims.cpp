@@ -1,4 +1,5 @@
-// The rows of the registry for one instruction set, which the build compiles this file and all of claims/ for, and names.
+// The rows of the registry for one instruction set. The build compiles this file and all of claims/
+// for it, and defines FAIRLIGHT_ENTRY as the name of the entry.
 
 #include <fairlight/validation/claims/claims.h>
 

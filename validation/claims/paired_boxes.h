@@ -5,11 +5,12 @@
 
 namespace fairlight {
 
-/// The boxes in which strategies are compared along the same paths.
+/// The Cornell boxes where strategies are compared along the same paths.
 
-/// The box of the paper, up to four bounces, against its light by cone alone. Bounds, per vertex and in grey: by cone S f Le <= 2.49 (see box_means), which a
-/// bounce that shares does not exceed either; by area A f Le / d^2 <= 9 pi 400 0.75 / (pi 15^2) = 12, and half of it by the hemisphere that
-/// is seen. Four vertices, with the albedo 0.8 from one to the next.
+/// The box of the paper, up to four bounces, against its light by cone alone.
+/// Bound    for a vertex, in grey: by cone S f Le <= 2.49 (see box_means), also for a bounce that
+///          shares; by area A f Le / d^2 <= 9 pi 400 0.75 / (pi 15^2) = 12; by the visible
+///          hemisphere half of this. Four vertices, with the albedo 0.8 from one to the next.
 inline constexpr double four_vertices = 1 + 0.8 + 0.64 + 0.512;
 inline PairedPaths in_the_box(const std::string& name, const std::string& sampling, const std::string& direct,
                               double brightest) {
@@ -24,9 +25,11 @@ inline PairedPaths box_by_area() { return in_the_box("area", "area", "light", 12
 inline PairedPaths box_by_visible() { return in_the_box("visible", "visible", "light", 6); }
 inline PairedPaths box_shared() { return in_the_box("mis", "cone", "mis", 2.49); }
 
-/// The measured box, up to three bounces, against its light by solid angle alone: S f Le <= 15.8 (see split_box_light). What shadow rays and bounces share is
-/// f Le cos / (p_l + p_b) <= albedo Le = 7.9 for each of the two, by any sampling of the light. (Points by area alone bring A f Le / h^2
-/// next to the lamp, which is h = 0.1 mm under the ceiling: the range of that would be three million.)
+/// The measured box, up to three bounces, against its light by solid angle alone. By area alone the
+/// range would be three million: a point next to the lamp, h = 0.1 mm under the ceiling, brings A f
+/// Le / h^2.
+/// Bound    S f Le <= 15.8 (see split_box_light). Where shadow rays and bounces share, each brings
+///          f Le cos / (p_l + p_b) <= albedo Le = 7.9, by any sampling of the light.
 inline PairedPaths measured_box(const std::string& name, const std::string& sampling, double brightest) {
   constexpr double vertices = 1 + 0.725 + 0.526;
   return {name,
@@ -45,7 +48,7 @@ inline PartMeans box_picture() { return whole_of(0.21); }
 inline PartMeans box_border() { return border_of(0.16); }
 inline PartMeans measured_box_picture() { return whole_of(0.049); }
 inline PartMeans measured_box_border() { return border_of(0.013); }
-/// Row by row.
+/// The means in grey, row by row.
 inline PartMeans box_tiles() {
   return {"tiles",
           "in each of 8 x 8 tiles",
@@ -55,7 +58,7 @@ inline PartMeans box_tiles() {
            0.164, 0.135, 0.098, 0.266, 0.233, 0.232, 0.229, 0.111, 0.125, 0.121, 0.112, 0.153, 0.207,
            0.199, 0.096, 0.084, 0.079, 0.183, 0.231, 0.260, 0.275, 0.253, 0.171, 0.146, 0.139}};
 }
-/// The range makes smaller tiles too dear here: the darkest of 64 shows 0.005.
+/// Quarters, as the range makes smaller tiles too expensive: the darkest of 64 shows 0.005.
 inline PartMeans measured_box_quarters() { return {"quarters", "in each quarter", {0.058, 0.054, 0.038, 0.033}}; }
 
 }  // namespace fairlight

@@ -4,8 +4,9 @@
 namespace fairlight {
 namespace {
 
-// Tiles and the border to 2 %; pictures to 0.2 % of their mean at least, half of which is the light itself, and more in the measured box:
-// to 0.2 % or 0.4 % of what surfaces reflect, which margins are relative to.
+// Margins: 2 % for tiles and the border. For pictures at most 0.2 % of their mean, half of which is
+// the light itself. In the measured box 0.2 % or 0.4 % of what the surfaces reflect, which margins
+// are relative to.
 void add_box(std::vector<Claim>& claims) {
   const PartMeans picture = box_picture(), border = box_border(), tiles = box_tiles();
   claims.push_back(presumed_light<WholePicture>(box_shared(), picture));
@@ -16,7 +17,7 @@ void add_box(std::vector<Claim>& claims) {
     claims.push_back(paired_claim<PictureBorder>(paths, border, 20));
     claims.push_back(paired_claim<PictureTiles<8>>(paths, tiles, 20));
   }
-  // Half of the points are not seen.
+  // Half of the sampled points face away, so the margin is wider.
   claims.push_back(paired_claim<WholePicture>(box_by_area(), picture, 4));
   claims.push_back(paired_claim<PictureBorder>(box_by_area(), border, 20));
 }

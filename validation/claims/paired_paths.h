@@ -12,10 +12,10 @@
 
 namespace fairlight {
 
-/// Strategies that must bring the same light, compared along the same paths: bounce for bounce, so that what is left of the two is the
-/// difference of their estimates at each vertex. It varies so little that pictures are compared to 0.2 %.
+/// Compares strategies that must bring the same light along the same paths. Only the difference of
+/// their estimates at each vertex remains. It varies so little that pictures are compared to 0.2 %.
 
-/// The difference of two ways to find the luminaires' light. Both take the same numbers.
+/// The difference of two strategies for direct light. Both use the same random numbers.
 template <class One, class Other>
 struct DirectDifference {
   One one;
@@ -36,7 +36,8 @@ struct DirectDifference {
   }
 };
 
-/// Luminaires are found by `one` and by `other`; all else is as `other` says. A fault finds the one's in a way of its own.
+/// Tracers of the difference: direct light by `one` minus by `other`, all else as in `other`. A
+/// fault can replace the direct light of `one`.
 template <template <class> class One = ChosenDirect>
 auto paired_tracers(const RenderSettings& one, const RenderSettings& other, const Scene& scene) {
   return [=]<class Real>(std::type_identity<Real>) {
@@ -49,7 +50,8 @@ auto paired_tracers(const RenderSettings& one, const RenderSettings& other, cons
   };
 }
 
-/// Parts of a picture, in columns: `place(c, u)` is a point of part c, evenly spread over it, with (0,0) the picture's upper left corner.
+/// Parts of a picture, in columns: `place(c, u)` is a uniform point of part c. (0,0) is the upper
+/// left corner of the picture.
 struct WholePicture {
   static constexpr std::size_t columns = 1, parts = 1;
   template <class Real>
@@ -66,7 +68,7 @@ struct PictureTiles {
     return Vec2<Real>(Real(left) + u.x(), Real(top) + u.y()) / Real(static_cast<Lane<Real>>(n));
   }
 };
-/// The outermost 8 pixels of 256: four strips, each from one corner up to the next one's.
+/// The outermost 8 pixels of 256: four strips, each from one corner to the next.
 struct PictureBorder {
   static constexpr std::size_t columns = 1, parts = 1;
   template <class Real>
@@ -81,7 +83,7 @@ struct PictureBorder {
   }
 };
 
-/// The grey number that draw(ray, source) gives along the rays of a camera, of part c of the picture.
+/// The grey value of draw(ray, source) along camera rays through part c of the picture.
 template <class Parts, class Draw>
 auto over_part(const Camera& camera, std::size_t c, const Draw& draw) {
   return [=](std::type_identity<Packet>, auto& source) {
@@ -91,20 +93,23 @@ auto over_part(const Camera& camera, std::size_t c, const Draw& draw) {
   };
 }
 
-/// Which strategies are compared in which scene, and what range the one's light less the other's has, in grey.
+/// The strategies to compare, the scene, and the range of the difference of their light
+/// (one - other), in grey.
 struct PairedPaths {
   std::string name, scene;
   RenderSettings one, other;
   double darkest, brightest;
 };
 
-/// A part of the picture, or several: what the margin is relative to, which is no more than surfaces reflect there, in grey.
+/// Parts of a picture, with the means that the margins are relative to. They are at most what
+/// surfaces reflect there, in grey.
 struct PartMeans {
   std::string name, where;
   std::vector<double> means;
 };
 
-/// What parts found, of the whole: the finding of the largest bias among the worst verdicts, and all of their draws.
+/// The finding of the whole from those of its parts: that with the largest bias among the worst
+/// verdicts, and the sum of the draws.
 inline Finding whole_of_parts(const std::vector<Finding>& parts) {
   Finding whole = parts.at(0);
   std::uint64_t draws = 0;
@@ -118,8 +123,9 @@ inline Finding whole_of_parts(const std::vector<Finding>& parts) {
   return whole;
 }
 
-/// What is claimed of each part, which has paths of its own, so that none waits for the darkest, and an equal part of alpha. Where it
-/// is told to end there are no further parts, and an account gets nothing of them.
+/// Tests the mean of each part, with an equal share of alpha and with its own paths, so that the
+/// number of paths can differ. If the trial is stopped, the remaining parts are left out, and add
+/// no evidence to the margin grid.
 template <class Parts, class Draw>
 Finding check_parts(const Trial& trial, const Camera& camera, const std::vector<Reference>& references,
                     const Draw& draw) {
@@ -143,7 +149,8 @@ Finding check_parts(const Trial& trial, const Camera& camera, const std::vector<
   return whole_of_parts(findings);
 }
 
-/// The biases that the tests of a trial have seen, of differences, in units of their margins; 0 where there was none.
+/// Stores the bias of each part in units of its margin as the tiles of the evidence; 0 for parts
+/// that did not run.
 inline void leave_tiles(const Trial& trial, const std::vector<double>& means, std::size_t columns) {
   Evidence::Tiles tiles{static_cast<int>(columns), std::vector<double>(means.size())};
   for (std::size_t c = 0; c < std::min(means.size(), trial.evidence->means.size()); ++c) {
@@ -153,7 +160,8 @@ inline void leave_tiles(const Trial& trial, const std::vector<double>& means, st
   trial.evidence->tiles = tiles;
 }
 
-/// The mean of the difference over each part of the picture; in packets alone, as so many paths take minutes in double.
+/// Tests the mean of the difference over each part of the picture. In packets only, as so many
+/// paths take minutes in double.
 template <class Parts, template <class> class One = ChosenDirect>
 Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double margin_factor) {
   std::vector<Reference> references;
@@ -179,7 +187,8 @@ Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double marg
           .real = real_name<Packet>()};
 }
 
-/// That surfaces reflect at least so much to the parts of a picture, without which the margins above would be wider than they say.
+/// Tests that surfaces reflect at least these means into the parts of a picture. If they did not,
+/// the margins above would be wider than stated.
 template <class Parts>
 Claim presumed_light(const PairedPaths& paths, const PartMeans& parts) {
   std::vector<Reference> references;

@@ -13,32 +13,34 @@
 
 namespace fairlight {
 
-/// A way to look for light: with shadow rays to points that are sampled like this, or without any.
+/// A strategy for direct light: shadow rays to points sampled in this way, or none.
 struct LightSearch {
   std::string direct, light_sampling;
 };
 
-/// All that the renderer has under lights that are spheres.
+/// All that the renderer has for scenes whose lights are spheres.
 inline std::vector<LightSearch> searches_of_spheres() {
   return {{"none", "area"}, {"light", "area"},  {"light", "visible"}, {"light", "cone"},
           {"mis", "area"},  {"mis", "visible"}, {"mis", "cone"}};
 }
 
-/// And under rectangles: without the light's area alone, whose variance is infinite where they meet, as
-/// points of two of them are as near to each other as can be.
+/// The same for rectangles. It leaves out shadow rays by area alone, whose variance is infinite
+/// where two rectangles meet, as their points can be arbitrarily close.
 inline std::vector<LightSearch> searches_of_rectangles() {
   return {{"none", "area"}, {"light", "solid-angle"}, {"mis", "solid-angle"}, {"mis", "area"}};
 }
 
-/// Strategies of the renderer, one of each kind, so that every bounce meets every search for light and every choice of a light; and that
-/// any two strategies of any two kinds meet, among them roulette, numbers, filters, the lens and the arithmetic: what goes wrong in a
-/// composition mostly takes two. Rows are completed one by one so that the most pairs meet that have not, and among these the pairs that have
-/// met the least often; where nothing is chosen there are as many rows, for the others to meet. Throws std::invalid_argument for more than 15
-/// searches.
-/// Source: Cohen, Dalal, Fredman, Patton 1997 (IEEE TSE 23:437)
+/// Combinations of strategies of the renderer that cover all pairs, since most errors of a
+/// composition need two strategies. Every bounce meets every search for light and every choice of a
+/// light. Any two strategies of two kinds meet, also of roulette, numbers, filter, lens and
+/// arithmetic. A row is completed so that it has the most new pairs, then the least frequent ones.
+/// Searches without a choice have as many rows, for the other kinds. Throws std::invalid_argument
+/// for more than 15 searches.
+/// Source   Cohen, Dalal, Fredman, Patton 1997 (IEEE TSE 23:437)
 class PairwiseCover {
  public:
-  /// Of paths of at most `depth` bounces; of three where bounces are uniform, each of which doubles what a path may bring.
+  /// For paths of at most `depth` bounces, and at most three if bounces are uniform, as each of
+  /// these doubles the bound of a path.
   PairwiseCover(const std::vector<LightSearch>& searches, int depth) {
     if (searches.size() >= most) throw std::invalid_argument("there are too many searches to be crossed");
     for (std::size_t bounce = 0; bounce < bounces.size(); ++bounce) {
@@ -57,7 +59,8 @@ class PairwiseCover {
   std::vector<RenderSettings> rows() const { return rows_; }
 
  private:
-  // Strategies by their numbers: bounce, search, choice, roulette, numbers, filter, aperture, real.
+  // The indices of the strategies: bounce, search, choice, roulette, numbers, filter, aperture,
+  // real.
   using Row = std::array<std::size_t, 8>;
   static constexpr std::size_t kinds = 8, first_completed = 3;
   static constexpr std::size_t most = 16, no_choice = most - 1;
@@ -81,10 +84,11 @@ class PairwiseCover {
 
   struct Completion {
     Row row{};
-    std::pair<int, int> cost{std::numeric_limits<int>::max(), 0};  ///< pairs that have met, and how often all told
+    std::pair<int, int> cost{std::numeric_limits<int>::max(),
+                             0};  ///< pairs that have met, and the sum of their counts
   };
 
-  // Tries all that a row may go on with, from a kind on.
+  // Tries all completions of a row, from a kind on.
   void complete(Row row, std::size_t kind, Completion& best) const {
     if (kind < kinds) {
       for (row[kind] = 0; row[kind] < completions[kind - first_completed]; ++row[kind]) {

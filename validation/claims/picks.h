@@ -9,8 +9,8 @@
 
 namespace fairlight {
 
-/// n lights, of whose powers every third is 0 and the others are 1 to 7; what each brings to a point is its power times
-/// a factor between 1 - spread and 1 + spread that the choice does not know.
+/// n lights. Every third power is 0, the others are 1 to 7. A light brings to a point its power
+/// times a factor between 1 - spread and 1 + spread, which the choice does not know.
 struct ManyLights {
   std::vector<double> powers, terms;
 
@@ -41,8 +41,9 @@ struct ManyLights {
   }
 };
 
-/// The sum of the terms, by `make(type_identity<Real>)`, which gives what sums them, `how`; it is made once. The bound is
-/// twice the largest draw: where there is one light the mean is the largest itself, and must lie within.
+/// The sum of the terms by an estimator from `make(type_identity<Real>)`, which is made once; `how`
+/// describes it. The bound is twice the largest draw: with a single light the mean is the largest
+/// draw, and must lie inside the range.
 template <class Make>
 auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, const std::string& how,
                    const ManyLights& lights, const Make& make, double largest, double margin_factor = 1) {
@@ -73,15 +74,15 @@ auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, c
       draw};
 }
 
-/// One of them by power.
+/// One light, picked by power.
 template <template <class> class Choice>
 auto sum_by_power(const std::string& name, const ManyLights& lights, double largest) {
   const auto make = [=]<class Real>(std::type_identity<Real>) { return LightSampler(Choice<Real>(lights.powers)); };
   return sum_of_lights(name, {"LightSampler", "PowerChoice"}, "one over its probability", lights, make, largest);
 }
 
-/// One of them by a contribution that differs from draw to draw, and so from lane to lane: at a place x in [0,1), the power of
-/// every second light counts 1 + blur x times.
+/// One light, picked by a contribution that differs from draw to draw, and so from lane to lane. At
+/// a place x in [0,1), the power of every second light is multiplied by 1 + blur x.
 struct OneByPlace {
   template <class Real, UniformSource<Real> Source, class Term>
   auto sum(int n, Source& source, const Term& term) const {
@@ -95,7 +96,8 @@ struct OneByPlace {
   double blur;
 };
 
-/// Bound: the probability of a light is at least its power over (1 + blur) times the sum.
+/// The same as an estimand.
+/// Bound    the probability of a light is at least its power over (1 + blur) times the sum
 inline auto sum_by_contribution(const std::string& name, const ManyLights& lights, double blur,
                                 double margin_factor) {
   const auto make = [=]<class Real>(std::type_identity<Real>) { return OneByPlace{lights.powers, blur}; };
@@ -103,14 +105,14 @@ inline auto sum_by_contribution(const std::string& name, const ManyLights& light
                        (1 + blur) * lights.largest_by_power(), margin_factor);
 }
 
-/// One of them uniformly.
+/// One light, picked uniformly.
 inline auto sum_by_number(const std::string& name, const ManyLights& lights) {
   const auto make = []<class Real>(std::type_identity<Real>) { return UniformLightSampler(); };
   return sum_of_lights(name, {"UniformLightSampler", "UniformChoice"}, "one over its probability", lights, make,
                        lights.largest_of_n());
 }
 
-/// Every one of them, estimated: up to twice its term, uniformly.
+/// All lights, each with noise: a uniform draw between 0 and twice its term.
 struct EachWithNoise {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {

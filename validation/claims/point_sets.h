@@ -8,8 +8,9 @@
 
 namespace fairlight {
 
-/// What is claimed of every kind of point set. The claims draw from replicate i in draw i: draws are independent,
-/// and each point, each lane and 37 pairs of dimensions (for Sobol's, the padded ones among them) have their turn.
+/// The claims about every kind of point set. Draw i uses replicate i, so draws are independent.
+/// Each point, each lane and 37 pairs of dimensions take turns, which for Sobol' points include
+/// padded pairs.
 
 /// Two dimensions of a point: 2k and 2k + 1, or one of pair k and one of another pair.
 enum class Dimensions { of_one_pair, of_two_pairs };
@@ -26,7 +27,7 @@ Vec2<double> two_dimensions(const StreamKey& key, std::uint64_t i, Dimensions wh
   return {detail::lane_of(first[i / set.size() % 2], lane), detail::lane_of(second[i / set.size() / 2 % 2], lane)};
 }
 
-/// A point of a set is uniform: its pairs of dimensions are on the square, by chi-square.
+/// A point of a set is uniform: tests its pairs of dimensions on the square, by chi-square.
 template <template <class> class Set>
 Claim point_law_claim(const PointSetKind<Set>& kind) {
   return {.name = kind.suffix + ".law",
@@ -43,7 +44,7 @@ Claim point_law_claim(const PointSetKind<Set>& kind) {
           }};
 }
 
-/// And dimensions of two different pairs are independent, by bounded moments.
+/// Dimensions of two different pairs are independent: tests them by bounded moments.
 template <class Real, template <class> class Set>
 Claim point_moments_claim(const PointSetKind<Set>& kind) {
   return {.name = kind.suffix + ".moments" + real_suffix<Real>(),
@@ -64,8 +65,8 @@ Claim point_moments_claim(const PointSetKind<Set>& kind) {
           .real = real_name<Real>()};
 }
 
-/// Replicates do not know of each other: the same number of two of them has the covariance 0. Each has the mean 1/2
-/// and the variance 1/12.
+/// Replicates are independent: the same number of two of them has covariance 0. Each has the mean
+/// 1/2 and the variance 1/12.
 template <template <class> class Set>
 Claim replicates_uncorrelated_claim(const PointSetKind<Set>& kind) {
   return {.name = kind.suffix + ".replicates",
@@ -87,8 +88,8 @@ Claim replicates_uncorrelated_claim(const PointSetKind<Set>& kind) {
           }};
 }
 
-/// The integral of x0^2 x2 over the cube is 1/6 even from three points: strata that are as wide as a third of the
-/// axis, or a grid with an empty cell, must not show.
+/// The integral of x0^2 x2 over the cube is 1/6 even from three points. Errors from strata of a
+/// third of the axis, or from a grid with an empty cell, would show.
 template <template <class> class Set>
 Claim three_points_claim(const PointSetKind<Set>& kind) {
   return {.name = kind.suffix + ".three_points",
@@ -107,9 +108,11 @@ Claim three_points_claim(const PointSetKind<Set>& kind) {
           }};
 }
 
-/// The mean of a coordinate over points of which each width-th of its axis has the same number, uniform and independent within: the
-/// variance is that of a number in its stratum, 1 / (12 width^2), over n. A hash scrambles nearly so: 1 % is left to it. Of Sobol's
-/// first coordinate any n points that follow each other are as even, so the first eight coordinates take turns.
+/// The variance of the mean of a coordinate over n points, with equally many in each of `width`
+/// strata, uniform and independent within. Scrambling by a hash comes close to this, so the ratio
+/// has a slack of 1 %. Any n consecutive Sobol' points are this even in the first coordinate, so
+/// the first eight coordinates take turns.
+/// Formula  1 / (12 width^2) / n
 template <template <class> class Set>
 Claim stratified_variance_claim(const PointSetKind<Set>& kind, std::uint32_t n, std::uint32_t width) {
   return {.name = kind.suffix + ".variance",
@@ -134,9 +137,10 @@ Claim stratified_variance_claim(const PointSetKind<Set>& kind, std::uint32_t n, 
           }};
 }
 
-/// The mean of x0 x2 over the points, against independent ones. Of its variance 7/144 over n two parts of 3/144, of x0 and of
-/// x2 alone, all but vanish in a well spread set; what both have in common, 1/144, stays: over n - 1 where the two come in
-/// random orders, and over 4 or more where they come in the same.
+/// The variance of the mean of x0 x2 over n points, against independent ones, which have 7/144 / n.
+/// Two parts of it, 3/144 each, come from x0 and from x2 alone; they almost vanish in a
+/// well-distributed set. The joint part 1/144 stays: over n - 1 if the two have independent random
+/// orders, over 4 or more if they have the same order.
 template <template <class> class Set>
 Claim product_variance_claim(const PointSetKind<Set>& kind, double ratio) {
   const auto product = [](auto& source) {
@@ -171,14 +175,15 @@ inline auto product_integral() {
                   draw};
 }
 
-/// A source's numbers as they come.
+/// The numbers of a source, unchanged.
 template <class Source>
 struct AsTheyCome {
   Source& source;
   auto next() { return source.next(); }
 };
 
-/// The integral of x0 x5 x10 over the cube is 1/8: numbers of three blocks of Philox, which has five of a packet, or two in double.
+/// The integral of x0 x5 x10 over the cube is 1/8. The numbers come from three blocks of Philox,
+/// which have five numbers in packets and two in double.
 template <template <class> class Numbers = AsTheyCome>
 auto blocks_integral() {
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {

@@ -8,8 +8,9 @@
 
 namespace fairlight {
 
-/// What a path tracer sees along a ray of a scene, in every arithmetic: draw(type_identity<Real>, source) gives an Rgb<Real>.
-/// `make(type_identity<Real>)` gives the tracer of a Real.
+/// The radiance that a path tracer finds along a ray of a scene, in every arithmetic:
+/// draw(type_identity<Real>, source) gives an Rgb<Real>. `make(type_identity<Real>)` gives the
+/// tracer for a Real.
 template <class Make>
 class RadianceAlong {
  public:
@@ -24,7 +25,7 @@ class RadianceAlong {
     return along(ray<Real>(), real, source);
   }
 
-  /// Along another ray of the same scene.
+  /// The radiance along another ray of the same scene.
   template <class Real, class Source>
   Rgb<Real> along(const Ray<Real>& ray, std::type_identity<Real>, Source& source) const {
     constexpr std::size_t i = lanes < Real >> 1 ? 1 : 0;

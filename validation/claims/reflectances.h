@@ -14,9 +14,9 @@
 
 namespace fairlight {
 
-/// The mean of a reflectance over cosines that are uniform in a range, which integrates a function
-/// of the cosine and nothing else: no direction, no lobe. The whole range is cut, as a fault at
-/// grazing angles would drown in what is reflected elsewhere.
+/// The mean of a reflectance over cosines that are uniform in a range. It depends on the
+/// reflectance alone, without directions or lobes. There are several ranges, as an error at grazing
+/// angles would be lost in the reflectance at the others.
 
 struct CosineRange {
   const char* name;
@@ -27,14 +27,14 @@ inline constexpr std::array<CosineRange, 3> cosine_ranges{
 
 namespace detail {
 
-/// The mean of F, a function of the angle to the normal [rad], over uniform cosines: of F sin over
-/// the angles, by quadrature.
+/// The mean of F over uniform cosines, by quadrature of F sin over the angles. F is a function of
+/// the angle to the normal [rad].
 inline double mean_over_cosines(double low, double high, const auto& reflectance) {
   const auto integrand = [&](double angle, double) { return reflectance(angle) * std::sin(angle); };
   return integrate_rectangle(integrand, std::acos(high), std::acos(low), 0, 1).value / (high - low);
 }
 
-/// A colour of these numbers, as near as Real comes to them.
+/// A colour, rounded to Real.
 template <class Real>
 Rgb<Real> rounded_colour(const std::array<double, 3>& x) {
   return {rounded<Real>(x[0]), rounded<Real>(x[1]), rounded<Real>(x[2])};
@@ -48,10 +48,11 @@ Real cosine_between(double low, double high, auto& source) {
 
 }  // namespace detail
 
-/// Indices below and above that of glass, one a channel.
+/// Refractive indices around that of glass, one for each channel.
 inline constexpr std::array<double, 3> insulator_indices{1.33, 1.5, 2.4};
 
-/// From outside. Bound: F falls with the cosine, from what the most grazing reflects.
+/// The reflectance of an insulator from outside.
+/// Bound    F falls with the cosine, so its value at the most grazing angle
 inline auto insulator_outside(const CosineRange& range) {
   std::vector<Reference> references;
   for (const double n : insulator_indices) {
@@ -76,9 +77,9 @@ inline auto insulator_outside(const CosineRange& range) {
       draw};
 }
 
-/// From inside, over all cosines: all is reflected up to the critical one, and the rest of the way
-/// is by quadrature. And over the latter alone, from just below it, where a total reflection that
-/// begins elsewhere shows.
+/// The reflectance of an insulator from inside. Over all cosines: 1 up to the critical cosine, the
+/// rest by quadrature. With `refracted`, only over the cosines from just below the critical one,
+/// where total reflection that begins elsewhere shows.
 inline auto insulator_inside(const std::string& name, bool refracted) {
   std::vector<Reference> references;
   std::array<double, 3> lows{};
@@ -108,7 +109,7 @@ inline auto insulator_inside(const std::string& name, bool refracted) {
       draw};
 }
 
-/// Copper, whose index is complex.
+/// The reflectance of copper, whose index is complex.
 inline auto copper_reflectance(const CosineRange& range) {
   std::vector<Reference> references;
   for (std::size_t c = 0; c < 3; ++c) {

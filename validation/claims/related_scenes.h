@@ -4,9 +4,9 @@
 
 namespace fairlight {
 
-/// Scenes whose pictures are known from each other's, whatever they show.
+/// Scenes whose pictures are known from those of other scenes, whatever they show.
 
-/// x -> scale rotation x + shift: all lengths change by the same factor, and no angle does.
+/// x -> scale rotation x + shift: changes all lengths by the same factor, and no angle.
 struct Similarity {
   double scale = 1;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -16,7 +16,7 @@ struct Similarity {
   Vec3<double> point(const Vec3<double>& x) const { return scale * (rotation * x) + shift; }
 };
 
-/// An edge of a rectangle from its axis, which is as long as the inverse of half the edge.
+/// The edge of a rectangle from its axis, whose length is the inverse of half the edge.
 inline Vec3<double> edge_along(const Vec3<double>& axis) { return 2 * axis / axis.squaredNorm(); }
 
 /// Adds a surface of another scene, moved.
@@ -32,7 +32,7 @@ inline void add_moved(Scene& scene, const Surface& surface, const Similarity& mo
   }
 }
 
-/// A scene anew, surface by surface: add(Scene&, surface).
+/// Rebuilds a scene surface by surface: add(Scene&, surface).
 template <class Add>
 Scene rebuilt(const Scene& scene, const Add& add) {
   Scene result;
@@ -44,7 +44,7 @@ inline Scene moved(const Scene& scene, const Similarity& move) {
   return rebuilt(scene, [&](Scene& result, const Surface& surface) { add_moved(result, surface, move); });
 }
 
-/// The camera with it, so that its picture stays as it is.
+/// Moves a scene and its camera, so that the picture stays the same.
 inline View moved(const View& view, const Similarity& move) {
   CameraSettings camera = view.camera.settings();
   camera.eye = move.point(camera.eye);
@@ -56,7 +56,7 @@ inline View moved(const View& view, const Similarity& move) {
   return {view.name, moved(view.scene, move), Camera(camera)};
 }
 
-/// All light by a factor: so is the picture.
+/// Multiplies all emission by a factor, and with it the picture.
 inline Scene with_radiances(const Scene& scene, double factor) {
   return rebuilt(scene, [&](Scene& result, Surface surface) {
     surface.radiance *= factor;
@@ -64,7 +64,7 @@ inline Scene with_radiances(const Scene& scene, double factor) {
   });
 }
 
-/// All albedos by a factor: so is what is reflected once.
+/// Multiplies all albedos by a factor, and with it the light that is reflected once.
 inline Scene with_albedos(const Scene& scene, double factor) {
   return rebuilt(scene, [&](Scene& result, Surface surface) {
     surface.material.albedo *= factor;
@@ -72,7 +72,7 @@ inline Scene with_albedos(const Scene& scene, double factor) {
   });
 }
 
-/// The last surface first, and so the lights.
+/// Reverses the order of the surfaces, and so of the lights.
 inline Scene in_reverse_order(const Scene& scene) {
   Scene result;
   for (auto surface = scene.surfaces().rbegin(); surface != scene.surfaces().rend(); ++surface)
@@ -80,7 +80,8 @@ inline Scene in_reverse_order(const Scene& scene) {
   return result;
 }
 
-/// Every rectangle that shines as two, side by side along its first edge: the part of it that is given, and the rest.
+/// Splits every emitting rectangle in two, along its first edge: the given part of it, and the
+/// rest.
 inline Scene with_split_lights(const Scene& scene, double part) {
   return rebuilt(scene, [&](Scene& result, const Surface& surface) {
     if (!surface.rectangle || !(surface.radiance > 0).any()) return add_moved(result, surface);

@@ -19,12 +19,13 @@ void add_twice_the_samples(std::vector<Claim>& claims, const std::string& kind, 
 }  // namespace
 
 void add_relation_claims(std::vector<Claim>& claims) {
-  // Of all kinds of surfaces and of rectangles.
+  // Scenes with all kinds of surfaces, and with rectangles.
   for (const std::string scene : {"cornell-materials", "cornell-original"}) {
     add_same_paths(claims, smaller(scene));
     add_same_paths(claims, larger(scene));
   }
-  // Of diffuse surfaces: gloss may reflect so little that its digits are lost at the end of the range of floats.
+  // Scenes with diffuse surfaces. Gloss may reflect so little that its digits are lost at the lower
+  // end of the range of floats.
   for (const std::string scene : {"cornell-simple", "cornell-original"}) {
     add_same_paths(claims, brighter(scene));
     add_same_paths(claims, darker(scene));
@@ -34,7 +35,7 @@ void add_relation_claims(std::vector<Claim>& claims) {
   add_independent_mean(claims, turned_floor());
   add_independent_mean(claims, upended_floor());
   add_independent_mean(claims, reversed_lights());
-  claims.push_back(mean_claim<Packet>(turned_box()));  // in packets alone, as in double it takes seconds
+  claims.push_back(mean_claim<Packet>(turned_box()));  // in packets only, as it takes seconds in double
   for (const std::string which : {"all", "one"}) {
     add_independent_mean(claims, split_lamp(which));
     claims.push_back(mean_claim<Packet>(split_box_light(which)));

@@ -8,13 +8,13 @@
 
 namespace fairlight {
 
-/// Relations that need no reference: of two scenes the one's picture is known from the other's.
+/// Relations that need no reference: the picture of one scene is known from that of another.
 
-/// A component as it is; a fault puts another in its place.
+/// A component, unchanged; a fault puts another in its place.
 template <class T>
 using AsItIs = T;
 
-/// The path tracer of some strategies, in every arithmetic.
+/// The path tracer of given strategies, in every arithmetic.
 template <template <class> class Wrong = AsItIs>
 auto chosen_tracers(const RenderSettings& settings, const Scene& scene) {
   return [=]<class Real>(std::type_identity<Real>) {
@@ -27,22 +27,23 @@ auto chosen_tracers(const RenderSettings& settings, const Scene& scene) {
   };
 }
 
-/// What surfaces reflect along the rays of a view's camera. What the camera sees of the luminaires themselves is left out:
-/// it is the same numbers many times over, and at a luminaire's rim a matter of an ulp.
+/// The light that surfaces reflect along camera rays. It leaves out the luminaires that the camera
+/// sees directly: their value is mostly constant, and at the rim of a luminaire depends on an ulp.
 template <template <class> class Wrong = AsItIs>
 class ReflectedLight {
  public:
   ReflectedLight(const View& view, RenderSettings settings)
       : camera_(view.camera), all_(tracer(view, settings)), seen_(tracer(view, without_bounces(settings))) {}
 
-  /// In grey, through a place of the picture, of which (0,0) is the upper left corner and (1,1) the lower right one.
+  /// The reflected light in grey, through a place of the picture. (0,0) is the upper left corner,
+  /// (1,1) the lower right one.
   template <class Real, class Source>
   Real operator()(std::type_identity<Real> real, const Vec2<Real>& place, Source& source) const {
     const Rgb<Real> light = along(real, camera_.template ray<Real>(place.x(), place.y(), 1, 1, source), source);
     return (light[0] + light[1] + light[2]) / Real(3);
   }
 
-  /// Along a ray, in colour.
+  /// The reflected light along a ray, in colour.
   template <class Real, class Source>
   Rgb<Real> along(std::type_identity<Real> real, const Ray<Real>& ray, Source& source) const {
     const Rgb<Real> seen = seen_.along(ray, real, source);
@@ -66,15 +67,15 @@ class ReflectedLight {
 
 /// Two views by the same strategies.
 struct RelatedViews {
-  std::string name;  ///< of the relation: scale, rotation ...
+  std::string name;  ///< the relation: scale, rotation ...
   std::string statement;
   View one, other;
   RenderSettings settings;
-  double factor = 1;  ///< of the other's picture over the one's
+  double factor = 1;  ///< the picture of `other` divided by that of `one`
 };
 
-/// Every path of the one view is a path of the other, by the same numbers, and brings so many times as much: to 4 ulp, where nothing is
-/// rounded otherwise, as with factors of 2.
+/// Tests that a path of `one` and a path of `other` with the same numbers have radiances of the
+/// ratio `factor`, to 4 ulp. It is for relations that round alike, such as factors of 2.
 template <class Real, template <class> class Wrong = AsItIs>
 Claim same_paths(const RelatedViews& views) {
   return {.name = views.name + real_suffix<Real>(),
@@ -98,16 +99,16 @@ Claim same_paths(const RelatedViews& views) {
           .real = real_name<Real>()};
 }
 
-/// How the pictures of two views are compared by their means.
+/// The parameters of a comparison of the mean pictures of two views.
 struct PictureMeans {
-  double largest;  ///< what a path brings at most, in either
-  double mean;     ///< of what surfaces reflect, in grey: no more than it is
+  double largest;  ///< the most that a path brings, in either
+  double mean;     ///< the light that surfaces reflect, in grey, or less
   double margin_factor;
-  bool same_numbers = false;  ///< both paths follow the same numbers, so that they part where roundings do alone
+  bool same_numbers = false;  ///< both paths use the same numbers, and differ by rounding only
   double rounding = 0;        ///< of coordinates, relative to the mean
 };
 
-/// The mean of the two pictures' difference: paths through one place of both.
+/// The mean of the difference of the two pictures, from paths through the same place of both.
 template <template <class> class Wrong = AsItIs>
 auto same_means(const RelatedViews& views, const PictureMeans& means) {
   const auto draw = [one = ReflectedLight<Wrong>(views.one, views.settings),
@@ -127,15 +128,16 @@ auto same_means(const RelatedViews& views, const PictureMeans& means) {
                   draw};
 }
 
-/// What is compared of sets, and sets of twice as many.
+/// The parameters of a comparison of sets with sets of twice as many samples.
 struct SampledView {
   View view;
   RenderSettings settings;
-  double largest, mean;  ///< as above
+  double largest, mean;  ///< as in PictureMeans
   std::uint32_t n;
 };
 
-/// The mean over sets of n points is that over sets of 2n, which are other points: those are spread over twice as many cells.
+/// Tests that sets of n points have the mean of sets of 2n. The points differ, as the latter are
+/// spread over twice as many cells.
 template <class Real, class Numbers>
 Claim twice_the_samples(const std::string& kind, const std::string& subject, const SampledView& sampled) {
   return {.name = sampled.view.name + ".relation.twice." + kind + real_suffix<Real>(),

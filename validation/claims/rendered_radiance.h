@@ -12,13 +12,14 @@
 
 namespace fairlight {
 
-/// Those of this file's packets, for whose claims it is compiled more than once.
+/// The instruction set of the packets in this file, which the build compiles once for each set.
 inline const std::string& instructions_of_packets() {
   return std::ranges::find(instruction_sets(), lanes<Packet>, &InstructionSet::lanes)->name;
 }
 
-/// The pixels of small pictures of one radiance, one picture after the other, as the draws of its estimator: each of so many sets of samples,
-/// a set being one sample where they are independent. A picture that the renderer refuses, for a sample that is no radiance, is not a number.
+/// The pixels of small pictures of a constant radiance, as the draws of its estimator. Each pixel
+/// has `sets` sets of samples; a set is one sample if samples are independent. Where the renderer
+/// rejects a picture, because of an invalid sample, the draw is NaN.
 class RenderedPixels {
  public:
   RenderedPixels(const View& view, const RenderSettings& settings, const StreamKey& key, std::uint32_t sets = 1)
@@ -59,10 +60,12 @@ class RenderedPixels {
   Film film_{side, side};
 };
 
-/// What a path of these strategies may bring: at every vertex what its shadow rays bring and what a bounce finds, as there are, each weighted
-/// at most by the throughput. That a bounce multiplies by at most w rho, w = 2 by uniform bounces and 1 by others. Roulette by
-/// albedo divides by the largest rho, so that w is left; after that by throughput a path carries w at most, or w rho times what it did,
-/// and in glass what is n^2 times as much outside.
+/// The references of the pixels, for paths of these strategies.
+/// Bound    at every vertex what shadow rays bring and what a bounce finds, if there are such,
+///          times the throughput. A bounce multiplies by at most w rho, w = 2 for uniform bounces
+///          and else 1. Roulette by albedo divides by the largest rho, which leaves w. After
+///          roulette by throughput a path carries at most w, or w rho times what it had; and
+///          outside glass n^2 times as much.
 inline std::vector<Reference> references_of(const ClosedScene& scene, const RenderSettings& settings) {
   const double bounce = settings.bounce == "uniform" ? 2 : 1;
   const double weight = settings.roulette == "albedo" ? bounce : std::max(1.0, bounce * scene.whitest());
@@ -72,7 +75,7 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
   const Rgb<double> mean = scene.radiance(settings.max_depth);
   const Rgb<double> brightest = scene.brightest();
   const double survivor =
-      settings.roulette == "throughput" ? bounce * scene.index * scene.index * (1 + 1e-12) : 1;  // but for rounding
+      settings.roulette == "throughput" ? bounce * scene.index * scene.index * (1 + 1e-12) : 1;  // plus rounding
   const Rgb<double> upper =
       survivor * (brightest + vertices * (shadow_rays * scene.largest_term + bounces * brightest));
   std::vector<Reference> references;
@@ -80,9 +83,9 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
   return references;
 }
 
-/// The renderer itself, by its settings: the pixels of a picture of a closed scene have its radiance as their mean. Strategies that do not fit
-/// together are off by factors, so the margin is wide; what is small is the components', whose margins are narrow. A pixel of any number of
-/// sets has the same mean.
+/// Tests the renderer by its settings: the pixels of a closed scene have its radiance as their
+/// mean, with any number of sets. The margin is wide, as strategies that do not fit together are
+/// off by large factors. The claims about components have narrow margins, for small errors.
 inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& settings, double margin_factor = 30,
                                std::uint32_t sets = 1) {
   const bool shadow_rays = settings.direct != "none";

@@ -8,17 +8,19 @@
 
 namespace fairlight {
 
-/// A path that bounces on one diffuse surface after the other, counts what it carries at each, and has nothing but
-/// roulette to end it: the sum of the powers of the albedo, 1 / (1 - albedo), per channel.
-/// Bound: a bounce weighs the albedo or, with uniform directions, 2 albedo z, so no channel carries more than `most`, 1 or 2, and the
-/// sum is at most that times the number of vertices N. From bounce `first` on a path goes on with at most the probability q that
-/// roulette has in the mean, the largest albedo, so N - first is at most geometric, and E[(N - K)+] <= q^(K + 1 - first) / (1 - q).
+/// A path from one diffuse surface to the next that sums its throughput at each, and ends only by
+/// roulette. The sum is that of the powers of the albedo, 1 / (1 - albedo), for each channel.
+/// Bound    a bounce has the weight albedo or, with uniform directions, 2 albedo z. So the
+///          throughput is at most `most`, 1 or 2, and the sum at most this times the number N of
+///          vertices. From bounce `first` on, the path goes on with a mean probability of at most
+///          q, the largest albedo, so N - first is at most geometric, and
+///          E[(N - K)+] <= q^(K + 1 - first) / (1 - q).
 template <class Roulette, template <class> class Directions>
 auto roulette_walk(const std::string& name, const std::string& subject, double most, int first = 1,
                    const Roulette& roulette = Roulette()) {
   const Rgb<double> albedo(0.125, 0.25, 0.05);
   const double q = albedo.maxCoeff();
-  const int vertices = 16 + first;  // so that the tail is nothing to the finest margins
+  const int vertices = 16 + first;  // the tail is negligible for the finest margins
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c) {
     references.push_back(
@@ -48,7 +50,7 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
                   draw};
 }
 
-/// With the first bounce spared.
+/// The same without roulette at the first bounce.
 template <template <class> class FromBounce>
 auto later_roulette_walk() {
   using Later = FromBounce<RouletteByThroughput<>>;
@@ -56,9 +58,10 @@ auto later_roulette_walk() {
                                                  Later(2));
 }
 
-/// How many vertices a path has, which is what it costs, on surfaces that reflect 1/4 at most. That it is longer shows in no mean of
-/// what it carries. The tail, E[(N - 17)+], is that of a path that goes on with 1/4 always; it is the same where the first bounce is
-/// certain and the second has 1/16.
+/// The number of vertices of a path, which is its cost, on surfaces with albedos of at most 1/4. No
+/// mean of the throughput shows that paths are too long. The tail, E[(N - 17)+], is that of a path
+/// that goes on with probability 1/4; it is the same if the first bounce is certain and the second
+/// has probability 1/16.
 template <class Roulette>
 auto walk_length(const std::string& name, const std::string& subject, const std::string& statement, double mean,
                  const Roulette& roulette) {
@@ -91,7 +94,7 @@ auto roulette_walk_length() {
                      Roulette());
 }
 
-/// Of what it will carry the second bounce leaves 1/4 x 1/4, and any after it 1/4, as a survivor carries 1.
+/// The second bounce leaves a throughput of 1/4 x 1/4, each later one 1/4, as a survivor carries 1.
 template <class Roulette>
 auto later_roulette_walk_length() {
   return walk_length(

@@ -8,18 +8,18 @@
 
 namespace fairlight {
 
-/// What two sets of strategies may be compared by, in a built-in scene.
+/// The parameters of a comparison of two sets of strategies, in a built-in scene.
 struct SceneComparison {
   std::string scene;
   int max_depth;         ///< of both
-  double darkest;        ///< the one's less the other's is no less, in grey
-  double brightest;      ///< and no more; but for the emission that the camera sees, which is the same
-  double mean;           ///< of the picture, in grey: no more than it is
+  double darkest;        ///< the least difference of a path (one - other), in grey
+  double brightest;      ///< the largest difference; directly seen emission cancels
+  double mean;           ///< the mean of the picture in grey, or less
   double margin_factor;  ///< relative to the mean
 };
 
-/// The mean of a whole picture by two sets of strategies, which must be the same: paths from one point of the image and of
-/// the lens, each followed by both, so that what the camera sees of the lights themselves is no difference.
+/// The mean of a whole picture by two sets of strategies, which must agree. Both follow a path from
+/// the same point of the image and of the lens, so that directly seen lights cancel.
 inline auto strategies_agree(const std::string& name, std::vector<std::string> subjects,
                              const SceneComparison& comparison, RenderSettings one, RenderSettings other) {
   one.scene = other.scene = comparison.scene;
@@ -31,7 +31,8 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
     };
     return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
   };
-  // Of a vertex: of shadow rays to all luminaires two each, of a choice among them one, of a roulette one, of a bounce two.
+  // The numbers of a vertex: two for each shadow ray to a luminaire, one for the choice of a
+  // luminaire, one for roulette, two for a bounce.
   const std::size_t numbers =
       static_cast<std::size_t>(comparison.max_depth) * (2 * view.scene.luminaires().size() + 4);
   const auto draw = [numbers, camera = view.camera, a = tracer(one), b = tracer(other)]<class Real>(
@@ -52,18 +53,20 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
                   draw};
 }
 
-/// A square of a picture, of which (0,0) is the upper left corner and (1,1) the lower right one.
+/// A square of a picture; (0,0) is the upper left corner, (1,1) the lower right one.
 struct PictureSquare {
   double left = 0, top = 0, side = 1;
 };
 
-/// Around the light of cornell-simple as its camera sees it: where it is a pixel's width inside.
+/// Around the light of cornell-simple as its camera sees it; the light ends a pixel inside the
+/// border.
 inline constexpr PictureSquare around_the_light_of_cornell_simple{0.48, 0.2775, 0.04};
 
-/// What packets of floats add to a picture or take from it: the same paths in packets and, lane by lane from the same numbers,
-/// in double. They part only where a float is rounded across an edge. `part(type_identity<Real>, ray, source)` gives what is
-/// compared along a ray of the view's camera, a grey number of at most `largest`, and 0 outside of the square; the margin is
-/// relative to `mean`, of the whole picture.
+/// Tests the error of packets of floats: the same paths in packets and, lane by lane from the same
+/// numbers, in double. They differ only where a float rounds across an edge.
+/// `part(type_identity<Real>, ray, source)` gives the compared light along a camera ray, in grey,
+/// at most `largest`. Outside the square it must be 0. The margin is relative to `mean`, that of
+/// the whole picture.
 template <class Part>
 Claim floats_against_double(const std::string& name, const View& view, double largest, double mean,
                             double margin_factor, Part part, const PictureSquare& square = {}) {
@@ -91,8 +94,9 @@ Claim floats_against_double(const std::string& name, const View& view, double la
           .real = "packet"};
 }
 
-/// The mean of a whole picture by the numbers of sets, which must be that by independent ones: paths from the points of a set, as places
-/// on the image, followed from vertex to vertex by the set's numbers and by independent ones. Whole sets are the draws.
+/// Tests the mean of a picture with the numbers of sets against that with independent numbers. Both
+/// follow a path from the same place of the image, a point of the set. A draw of the test is the
+/// mean over a whole set.
 template <class Real, class Numbers>
 Claim sets_agree(const std::string& name, std::vector<std::string> subjects, const SceneComparison& comparison,
                  RenderSettings settings, std::uint32_t n = 4) {
@@ -126,7 +130,7 @@ Claim sets_agree(const std::string& name, std::vector<std::string> subjects, con
           .real = real_name<Real>()};
 }
 
-/// The same by Sobol' points, and by strata.
+/// Adds these rows for Sobol' points and for strata.
 template <class Real>
 void add_sets(std::vector<Claim>& claims, const SceneComparison& comparison, const RenderSettings& settings) {
   claims.push_back(

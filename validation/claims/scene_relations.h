@@ -8,7 +8,7 @@
 
 namespace fairlight {
 
-/// The relations that are claimed: which scenes, by which strategies, and how near.
+/// The relations that are claimed: scenes, strategies and margins.
 
 inline RenderSettings related_settings(const std::string& light_sampling, const std::string& which, int max_depth,
                                        const std::string& direct = "light") {
@@ -23,7 +23,7 @@ inline RenderSettings related_settings(const std::string& light_sampling, const 
 
 inline View with(const View& view, const Scene& scene) { return {view.name, scene, view.camera}; }
 
-/// Of rectangles by solid angle, of spheres by cone.
+/// The views of a relation. It samples rectangles by solid angle and spheres by cone.
 inline RelatedViews views_of(const std::string& scene, const std::string& relation, const std::string& statement,
                              const View& other, double factor, int max_depth, const std::string& direct) {
   const View view = built_in_scene(scene);
@@ -36,8 +36,8 @@ inline RelatedViews views_of(const std::string& scene, const std::string& relati
           factor};
 }
 
-/// Changes of the unit, of lengths and of light, by factors of 2, which floating point multiplies by without rounding; by shadow rays and
-/// bounces that share the light.
+/// Changes of the unit of length and of light, by factors of 2, which floating point multiplies by
+/// exactly. Shadow rays and bounces share the light.
 inline RelatedViews resized(const std::string& scene, const std::string& relation, int exponent) {
   return views_of(scene, relation, "at 2^" + std::to_string(exponent) + " of its size a scene looks as it did",
                   moved(built_in_scene(scene), {.scale = std::ldexp(1.0, exponent)}), 1, 3, "mis");
@@ -55,12 +55,14 @@ inline RelatedViews darker(const std::string& scene) {
                   with(view, with_albedos(view.scene, 0.5)), 0.5, 1, "light");
 }
 
-/// In the box of the paper, up to three bounces by cone: a shadow ray brings S f Le at most, where the light is nearest, at the
-/// ceiling: 2 (1 - sqrt(1 - (1.5 / 16.5)^2)) 0.75 400 = 2.49; the albedo is 0.8 at most.
+/// In the box of the paper, up to three bounces by cone.
+/// Bound    a shadow ray brings at most S f Le where the light is nearest, at the ceiling: 2
+///          (1 - sqrt(1 - (1.5 / 16.5)^2)) 0.75 400 = 2.49. The albedo is at most 0.8.
 inline constexpr PictureMeans box_means{2.49 * (1 + 0.8 + 0.64), 0.19, 1};
 
-/// Far away along every axis [m]: path by path, but for what is rounded. A float knows a place that is 1e4 m away to half a millimetre on
-/// every axis. That moves the light by 0.85 mm at most, and where it is nearest, 16.5 m away, its light by 2 x 0.85e-3 / 16.5 = 1e-4.
+/// A scene far from the origin along every axis [m], compared path by path up to rounding. At 1e4 m
+/// a float resolves half a millimetre on every axis. This moves the light by at most 0.85 mm, and
+/// changes what it brings by 2 x 0.85e-3 / 16.5 = 1e-4 where it is nearest, 16.5 m away.
 struct FarAway {
   double distance, rounding;
 };
@@ -81,7 +83,7 @@ auto far_away(const FarAway& away) {
 
 inline const Eigen::Matrix3d some_rotation = Eigen::AngleAxisd(2, Vec3<double>(1, 2, 3).normalized()).matrix();
 
-/// The box, turned: local frames are others, and so the paths.
+/// The rotated box. Its local frames differ, and so do the paths.
 template <template <class> class Wrong = AsItIs>
 auto turned_box() {
   const View view = built_in_scene("cornell-simple");
@@ -92,8 +94,9 @@ auto turned_box() {
                            means);
 }
 
-/// A floor under two lights, from half a metre above: less than 0.2 m about the point where the closed form is known. There the
-/// lights bring 0.052 and 0.082 in grey, by cone at most 0.070 and 0.107, twice that for one of two.
+/// A floor under two lights, seen from half a metre above: less than 0.2 m around the point with
+/// the known closed form. There the lights bring 0.052 and 0.082 in grey, and by cone at most 0.070
+/// and 0.107; twice that for one of two.
 inline View two_lights_from_above() {
   return {"two_lights", two_lights().scene,
           Camera({.eye = {0, 0.5, 0}, .look = {0, -1, 0}, .up = {0, 0, 1}, .image_height = 0.5})};
@@ -131,8 +134,9 @@ inline std::string split_statement(const std::string& which) {
   return "a light in two parts is the same light, by " + which + " of them";
 }
 
-/// A floor under a lamp, 3 m above, that is cut in a quarter and the rest; all of them, or one. By solid angle a shadow ray brings
-/// Omega f Le <= 2 pi / pi (0.75 + 0.5 x 4 + 0.25 x 2) / 3 = 2.2, twice that for one of two.
+/// A floor under a lamp, 3 m above it, cut into a quarter and the rest. All lights, or one.
+/// Bound    by solid angle a shadow ray brings Omega f Le <= 2 pi / pi
+///          (0.75 + 0.5 x 4 + 0.25 x 2) / 3 = 2.2; twice that for one of two
 template <template <class> class Wrong = AsItIs>
 auto split_lamp(const std::string& which) {
   View lamp = two_lights_from_above();
@@ -145,8 +149,9 @@ auto split_lamp(const std::string& which) {
       {4.4, 0.17, 4});
 }
 
-/// The measured box, its light cut so. A shadow ray brings 2 (17 x 0.725 + 12 x 0.71 + 4 x 0.68) / 3 = 15.8 in grey at most, twice that
-/// for one of two.
+/// The measured box, with its light cut in the same way.
+/// Bound    a shadow ray brings at most 2 (17 x 0.725 + 12 x 0.71 + 4 x 0.68) / 3 = 15.8 in grey;
+///          twice that for one of two
 template <template <class> class Wrong = AsItIs>
 auto split_box_light(const std::string& which) {
   const View view = built_in_scene("cornell-original");

@@ -5,13 +5,16 @@
 namespace fairlight {
 namespace {
 
-// What a path brings at most, in grey: by shadow rays to luminaires that are chosen and sampled as the baseline's, without roulette; by the strategies
-// of each row; and what the luminaires show. That of the shared row has a baseline of its own where the other's choice is dear.
+// The most that a path brings, in grey: `baseline` by the shadow rays of the baseline, without
+// roulette; `uniform`, `shared` and `estimated` by the strategies of these rows; `light` is the
+// emission of the luminaires. `shared_baseline` differs where the row "shared" has another
+// baseline, because the choice of a light is expensive.
 struct Most {
   double baseline, uniform, shared, estimated, light, shared_baseline = baseline;
 };
 
-// A built-in scene, and what its paths are compared to. The mean of the picture, in grey, is no more than it is.
+// A built-in scene, and the parameters of its comparisons. `mean` is at most the mean of its
+// picture, in grey.
 struct WholeScene {
   std::string name;
   std::string which_light = "all";
@@ -20,9 +23,9 @@ struct WholeScene {
   Most most;
   double mean;
   double margin_factor;
-  double alone_factor = 1;  // of that where bounces alone find the lights; 0 where they are not compared
+  double alone_factor = 1;  // factor on the margin of the row where only bounces find lights; 0: no such row
   double float_factor = margin_factor;
-  bool by_sets = true;  // whether it is here that its sets of numbers are compared
+  bool by_sets = true;  // whether this file compares its sets of numbers
 
   RenderSettings baseline() const { return related_settings(light_sampling, which_light, max_depth); }
   SceneComparison comparison(double brightest, double factor = 1) const {
@@ -30,15 +33,20 @@ struct WholeScene {
   }
 };
 
-// Of each vertex what shadow rays bring and, once, what a bounce finds, whose albedo the roulette before it has given back. A bounce
-// multiplies by 1 at most, or where bounces are uniform by 2: three vertices count as 3, or as 7, and what the last one's bounce finds as 1,
-// or as 4. In grey, see built_in_scenes.cpp for more:
-//   cornell-simple     2.49 by cone; 6 by the hemisphere that is seen and 6 / 0.75 found; 12 by area and 16 found; four vertices, 15 uniform ones
+// Bounds of a path, in grey: at each vertex what shadow rays bring, and once what a bounce finds.
+// The roulette before the bounce can cancel the factor of the albedo. A bounce multiplies by at
+// most 1, or by 2 for uniform bounces. So three vertices count as 3, or as 7, and what the bounce
+// at the last one finds counts as 1, or as 4. See also built_in_scenes.cpp.
+//   cornell-simple     2.49 by cone; by the visible hemisphere 6, found 6 / 0.75; by area 12, found
+//                      16; four vertices, which count as 15 for uniform bounces
 //   cornell-complex    2.6; one of two counts twice
-//   cornell-materials  16, no bounce finds more than 25, shared no more either, and the light in a mirror; through glass n^2 = 2.25 times as much
-//   cornell-original   15.8; shared 7.9 and 11 found, by uniform bounces twice that
-//   hallway            12.4; shared 24 and 30 found, by uniform bounces twice that; 13 by contribution
-//   many-lights        6; 2 pi r^2 f / d^2 sum Le = 80 by power, 100 found; 0.8 Le = 123 by one of them, 154 found
+//   cornell-materials  16; a bounce finds at most 25, also if it shares, and the light in a mirror;
+//                      through glass n^2 = 2.25 times as much
+//   cornell-original   15.8; shared 7.9 and found 11, twice that for uniform bounces
+//   hallway            12.4; shared 24 and found 30, twice that for uniform bounces; 13 by
+//                      contribution
+//   many-lights        6; by power 2 pi r^2 f / d^2 sum Le = 80, found 100; one of them 0.8 Le
+//                      = 123, found 154
 std::vector<WholeScene> whole_scenes() {
   return {
       {.name = "cornell-simple",
@@ -93,9 +101,10 @@ RenderSettings settings_of(const WaysOfAPath& ways) {
   return settings;
 }
 
-// Every way to do each thing, in four rows of a scene: any that is wrong shows in one of them. Where no light is found by a bounce, a second one
-// is needed for the first to matter. In packets; what these add or take is a row
-// as well. Bounces that meet small bright lights by themselves vary much, and are compared less finely, or not at all among a thousand of them.
+// Compares every strategy of each kind in four rows of a scene, so that a wrong one shows in one of
+// them. The rows are in packets; add_floats tests the error of packets. If bounces find no light,
+// paths need a second vertex for the first bounce to matter. Bounces that alone find small bright
+// lights vary much: those rows have wider margins, and there is none among a thousand lights.
 void add_strategies(std::vector<Claim>& claims, const WholeScene& scene) {
   const std::string part = scene.light_sampling == "cone" ? "visible" : "area";
   const auto add = [&](const std::string& name, const SceneComparison& comparison, const WaysOfAPath& ways,
@@ -122,7 +131,8 @@ void add_strategies(std::vector<Claim>& claims, const WholeScene& scene) {
       baseline);
 }
 
-// The picture in floats: what the surfaces reflect, within the margin of half of the picture's mean.
+// The picture in floats: the light that surfaces reflect. The margin is relative to half of the
+// mean of the picture.
 void add_floats(std::vector<Claim>& claims, const WholeScene& scene) {
   RenderSettings settings = scene.baseline();
   settings.scene = scene.name;
@@ -148,8 +158,9 @@ void add_floats(std::vector<Claim>& claims, const WholeScene& scene) {
                                          scene.float_factor, reflected));
 }
 
-// By sets of numbers, with a number for the choice of a light, by which a little more may be brought than by all. Those of cornell-simple are compared
-// more finely, and a thousand lights choose as three do, but take a hundred times as long.
+// Compares sets of numbers, with a light picked by contribution, which may bring 5 % more than all
+// lights. built_in_scenes.cpp compares those of cornell-simple at a finer margin. A thousand lights
+// are picked as three are, but take a hundred times as long, so they have no row.
 void add_numbers(std::vector<Claim>& claims, const WholeScene& scene) {
   if (!scene.by_sets) return;
   RenderSettings settings = scene.baseline();

@@ -18,7 +18,7 @@ using OneByCone = DirectLight<UniformLightSampler, ByCone>;
 using ContributionByCone = DirectLight<ContributionLightSampler, ByCone>;
 using Roulette = RouletteByReflectance<>;
 
-// One luminaire by its power, which is tabulated for a Real.
+// One luminaire, picked by its power, with the table in Real.
 template <class Roulette>
 auto by_power(const Scene& scene, int max_depth) {
   return [=]<class Real>(std::type_identity<Real>) {
@@ -77,7 +77,8 @@ void add_one_light(std::vector<Claim>& claims) {
   add(shared_light());
 }
 
-// Which of two lights, each by cone: what is drawn is then nearly the choice alone.
+// The choice of one of two lights, each by cone, so that most of the variance comes from the
+// choice.
 void add_two_lights(std::vector<Claim>& claims) {
   const auto all_terms = [](const SpheresOverPlane& s, int c) { return s.sum_of_cone_terms(c); };
   const auto one_term = [](const SpheresOverPlane& s, int c) {
@@ -85,7 +86,7 @@ void add_two_lights(std::vector<Claim>& claims) {
     for (const auto& light : s.lights) largest = std::max(largest, s.largest_cone_term(light, c));
     return static_cast<double>(s.lights.size()) * largest;
   };
-  // The power of a light is in proportion to r^2 times the sum of its radiance's channels.
+  // The power of a light is proportional to r^2 times the sum of the channels of its radiance.
   const auto power_term = [](const SpheresOverPlane& s, int c) {
     const auto power = [](const auto& light) { return light.radius * light.radius * light.radiance.sum(); };
     double total = 0;
@@ -96,7 +97,8 @@ void add_two_lights(std::vector<Claim>& claims) {
     }
     return largest;
   };
-  // The estimated contribution of a light is in proportion to its power over the square of its distance.
+  // The estimated contribution of a light is proportional to its power over the square of its
+  // distance.
   const auto contribution_term = [=](const SpheresOverPlane& s, int c) {
     double largest = 0;
     for (const auto& light : s.lights) {

@@ -16,8 +16,9 @@
 namespace fairlight {
 namespace {
 
-/// A draw of the integral of z^2 over the hemisphere, 2 pi / 3. With uniform directions it is 2 pi z^2, of variance 4 pi^2 (1/5 -
-/// 1/9); with cosine-weighted ones pi z, of variance pi^2 (1/2 - 4/9): 45/288 of it.
+/// A draw of the integral of z^2 over the hemisphere, 2 pi / 3. With uniform directions it is 2 pi
+/// z^2, of variance 4 pi^2 (1/5 - 1/9). With cosine-weighted ones it is pi z, of variance pi^2
+/// (1/2 - 4/9): 45/288 of the former.
 template <template <class> class Directions>
 auto squared_cosine() {
   return [](auto& source) {
@@ -34,8 +35,9 @@ Claim cosine_against_uniform() {
                         independent_draws("uniform sampling", squared_cosine<UniformHemisphere>(), 0, 2 * pi));
 }
 
-/// A glossy surface of exponent n seen at 30 degrees under a constant sky. A draw by the lobe is (n + 2) / (n + 1) z, by cosine-weighted
-/// directions (n + 2) / 2 cos^n(alpha), which is mostly next to nothing.
+/// A glossy surface of exponent n seen at 30 degrees under a constant sky. A draw by the lobe is
+/// (n + 2) / (n + 1) z. By cosine-weighted directions it is (n + 2) / 2 cos^n(alpha), which is
+/// mostly almost zero.
 template <template <class> class Directions>
 VarianceArm glossy_bounce(const std::string& name, double largest) {
   const auto draw = [](auto& source) {
@@ -52,8 +54,9 @@ Claim lobe_against_cosine() {
                         glossy_bounce<CosineHemisphere>("cosine-weighted sampling of it", 6));
 }
 
-/// Two sphere lights by two shadow rays: one to each; or twice one to either, doubled and averaged. With means m and m' of the two
-/// the latter has (m - m')^2 / 2 more variance, whatever the lights. A ray by cone brings at most the solid angle.
+/// Two sphere lights by two shadow rays: one to each, or twice one to a random one, doubled and
+/// averaged. With the means m and m' of the two lights, the latter has (m - m')^2 / 2 more
+/// variance, whatever the lights. A ray by cone brings at most the solid angle.
 template <class Terms>
 VarianceArm shadow_rays(const std::string& name, int times, double factor) {
   const SphereFromOrigin large{{2, 3, 6}, 2};
@@ -76,13 +79,14 @@ Claim all_lights_against_one() {
                         shadow_rays<UniformLightSampler>("two to one of them, weighted by their number,", 2, 2));
 }
 
-/// The irradiance from a sphere light, by one shadow ray: half of the points of its area face away, and those that face the floor
-/// do so at all angles; directions of its cone are all alike but for their height. With sin(a) = 2/7, S = 2 pi (1 - cos(a)) and the
-/// sphere's centre at cos(b) = 6/7 from the normal, the variance by cone is S^2 times that of the cosine over the cone, of mean
-/// cos(b) (1 + cos(a)) / 2; by area the mean square is the integral of cos^2 A cos_L / t^2 over the cone. By quadrature of the
-/// latter the ratio is 0.00225138, 1/444.17.
+/// The irradiance from a sphere light, by one shadow ray. By area half of the points face away, and
+/// the others face the floor at all angles. By cone directions differ only in their cosine.
 template <template <class> class Strategy>
 VarianceArm shadow_ray(const std::string& name, double (SphereFromOrigin::*largest)() const) {
+  // With sin(a) = 2/7, S = 2 pi (1 - cos(a)) and the centre of the sphere at cos(b) = 6/7 from the
+  // normal, the variance by cone is S^2 times that of the cosine over the cone, whose mean is
+  // cos(b) (1 + cos(a)) / 2. By area the mean square is the integral of cos^2 A cos_L / t^2 over
+  // the cone. With the latter by quadrature the ratio is 0.00225138, 1/444.17.
   const SphereFromOrigin sphere{{2, 3, 6}, 2};
   const auto draw = sphere_irradiance_claim<Strategy>("", "", sphere, {0, 0, 1}, (sphere.*largest)()).draw;
   return independent_draws(
@@ -101,8 +105,8 @@ Claim cone_against_area() {
       shadow_ray<ByArea>("one to its area", &SphereFromOrigin::area_bound));
 }
 
-/// The squared cosine's integral from points of Sobol's. A draw pi sqrt(1 - u) falls with u, and n points have one in each interval
-/// of length 1/n, so their mean is within pi / n of the integral.
+/// The integral of the squared cosine from Sobol' points. A draw pi sqrt(1 - u) falls with u, and n
+/// points have one in each interval of length 1/n, so their mean is within pi / n of the integral.
 VarianceArm sobol_points_of(std::uint32_t n) {
   const double integral = 2 * std::numbers::pi / 3;
   const double reach = std::numbers::pi / n;
@@ -117,7 +121,8 @@ Claim sobol_against_independent() {
                         50, sobol_points_of(16), independent);
 }
 
-/// The exponent e of variance ~ n^-e is 1 for independent points. Four times the points have 4^-e of the variance.
+/// The exponent e in variance ~ n^-e is 1 for independent points. Four times the points have 4^-e
+/// of the variance.
 Claim sobol_convergence() {
   Claim claim = variance_claim("variance.sobol_convergence", {"OwenSobol"}, "Owen 1997", 1.0 / 32, 50,
                                sobol_points_of(64), sobol_points_of(16));
@@ -132,11 +137,12 @@ Claim sobol_convergence() {
   return claim;
 }
 
-/// A furnace of radiance 1 and reflectance 1/2 shows 2. A path ended by roulette sees N vertices, geometric with the mean 2 and the
-/// variance 2, so that the mean of 64 is off by the square 2/64 = 1/32 in the mean. Paths that all end at two vertices,
-/// the same length, show 1.5, and are off by the square 1/4 however many there are: eight times as much.
-/// Bound: the mean M of 64 such N exceeds 4 with probability at most exp(-64 I(4)) = 3e-15, I(4) = 3 ln(3/2) - ln 2 (Chernoff),
-/// so 1e-10 is more than E[((M - 2)^2 - 4)+].
+/// A furnace of radiance 1 and reflectance 1/2 shows 2. A path with roulette sees N vertices, a
+/// geometric number of mean 2 and variance 2. So the mean of 64 has a mean squared error of
+/// 2/64 = 1/32. Paths that all end at two vertices, which is the same length, show 1.5, with the
+/// squared error 1/4 for any number of paths: eight times as much.
+/// Bound    the mean M of 64 such N exceeds 4 with a probability of at most exp(-64 I(4)) = 3e-15,
+///          I(4) = 3 ln(3/2) - ln 2 (Chernoff), so E[((M - 2)^2 - 4)+] < 1e-10
 Claim roulette_against_fixed_depth() {
   return {.name = "variance.roulette_against_fixed_depth",
           .kind = "variance",

@@ -4,10 +4,12 @@
 
 namespace fairlight {
 
-/// Spheres of radiance Le over a diffuse floor of albedo rho. A sphere of radius r at distance d, wholly above the
-/// horizon, gives the irradiance E = pi Le (r/d)^2 cos(theta) with theta the angle of its centre: its directions
-/// fill a cone of half-angle asin(r/d), and the projected solid angle of a cone is pi sin^2 cos(theta) (Nusselt's
-/// analogue; Snyder 1996). The floor then shows rho E / pi, whatever the direction of view, and lights add up.
+/// Spheres of radiance Le over a diffuse floor of albedo rho, which shows rho E / pi in every
+/// direction. Lights add up. A sphere of radius r at the distance d, wholly above the horizon,
+/// fills a cone of half-angle asin(r/d), whose projected solid angle is pi sin^2 cos(theta), with
+/// theta the angle of its centre.
+/// Formula  E = pi Le (r/d)^2 cos(theta)
+/// Source   Nusselt's analogue; Snyder 1996
 struct SpheresOverPlane {
   struct Light {
     Vec3<double> centre;
@@ -18,8 +20,8 @@ struct SpheresOverPlane {
   Scene scene;
   std::vector<Light> lights;
   Rgb<double> albedo{0.75, 0.5, 0.25};
-  // The floor is a sphere of radius 1e5 seen from without, so all of the lights stand above its horizon at the
-  // origin.
+  // The floor is a sphere of radius 1e5 seen from outside, so all lights are above its horizon at
+  // the origin.
   Ray<double> ray{{0, 0.5, 0}, {0, -1, 0}, -1};
 
   explicit SpheresOverPlane(std::vector<Light> all) : lights(std::move(all)) {
@@ -44,7 +46,7 @@ struct SpheresOverPlane {
     return 4 * light.radius * light.radius * light.radiance[channel] * albedo[channel] / (nearest * nearest);
   }
 
-  /// By cone: S Le f with S = 2 pi (1 - cos) the solid angle.
+  /// The largest shadow-ray term by cone: S Le f with the solid angle S = 2 pi (1 - cos).
   double largest_cone_term(const Light& light, int channel) const {
     const double sine = light.radius / light.centre.norm();
     return 2 * (1 - std::sqrt(1 - sine * sine)) * light.radiance[channel] * albedo[channel];
@@ -69,18 +71,19 @@ struct SpheresOverPlane {
   }
 };
 
-/// So far that half of its points are seen.
+/// One light, so far away that half of its points are visible.
 inline SpheresOverPlane one_light() { return SpheresOverPlane({{{3, 12, 4}, 1, {1, 4, 2}}}); }
 
-/// So near that bounces find it often.
+/// One light, so near that bounces often hit it.
 inline SpheresOverPlane large_light() { return SpheresOverPlane({{{1.5, 2.5, 1}, 2.4, {1, 4, 2}}}); }
 
-/// Unequal in size, distance and power, and neither hides the other.
+/// Two lights of different size, distance and power; neither occludes the other.
 inline SpheresOverPlane two_lights() {
   return SpheresOverPlane({{{3, 5, 2}, 1.5, {1, 4, 2}}, {{-2, 4, -1.5}, 0.6, {12, 8, 20}}});
 }
 
-/// The floor's radiance through a path of one bounce, by the tracers that `make` gives. `bound` gives the largest draw of a channel.
+/// The radiance of the floor from paths of one bounce, by the tracers that `make` gives. `bound`
+/// gives the largest draw of a channel.
 template <class Make, class Bound>
 auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,
                     double margin_factor, const Bound& bound, const Make& make) {
@@ -101,9 +104,10 @@ auto floor_radiance(const std::string& name, std::vector<std::string> subjects, 
   return floor_radiance(name, std::move(subjects), floor, margin_factor, bound, always(Tracer(1)));
 }
 
-/// Light that shadow rays and bounces share by the balance heuristic, from one large light by cone; or from two, of which a shadow
-/// ray looks for one. `Direct` says how.
-/// Bound: a shadow ray brings no more than alone, as the densities add up, and a bounce no more than rho Le.
+/// Light that shadow rays and bounces share by the balance heuristic: from one large light by cone,
+/// or from two, with a shadow ray to one of them. `Direct` is the strategy.
+/// Bound    a shadow ray brings no more than alone, as the densities add up, and a bounce at most
+///          rho Le
 template <class Direct>
 using SharedTracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, NoRoulette>;
 

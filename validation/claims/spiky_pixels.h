@@ -15,9 +15,10 @@
 
 namespace fairlight {
 
-/// Images whose pixels are mostly dark: a draw of a pixel is `ground` of its mean, and with probability p a spike that brings
-/// what is missing, (1 - ground) / p of it, so the mean is `mean` whatever p. What the first samples show then says little of what comes, which is where adaptive
-/// sampling goes wrong; exponential draws, whose first samples are more like the rest, show a third of it or less.
+/// Images whose pixels are mostly dark. A draw of a pixel is `ground` of its mean, and with
+/// probability p a spike adds (1 - ground) / p of it, so the mean is `mean` for any p. The first
+/// samples then say little about the rest, which is where adaptive sampling goes wrong. Exponential
+/// draws, whose first samples resemble the rest, show at most a third of the bias.
 struct SpikyPixels {
   struct Pixel {
     double mean, p;
@@ -35,21 +36,22 @@ struct SpikyPixels {
                        rounded<Real>(dark)));
   }
 
-  /// The channel of one pixel.
+  /// The reference of the channel of one pixel.
   Reference reference(std::size_t pixel) const {
     const auto [mean, p] = pixels[pixel];
     return {mean, mean * ground * (1 - 1e-12), mean * (ground + (1 - ground) / p) * (1 + 1e-12)};
   }
 };
 
-/// Eight pixels of unequal light and unequal spikes, on a ground that keeps them from costing more images than needed: the
-/// biases are as many times larger than their noise as without it.
+/// Eight pixels with different means and spikes. The ground makes the test need fewer images; the
+/// ratio of bias to noise is the same without it.
 inline SpikyPixels unequal_spikes() {
   return {
       PixelGrid(4, 2), {{1, 0.1}, {2, 0.1}, {1, 0.2}, {0.5, 0.1}, {1, 0.1}, {3, 0.1}, {1, 0.15}, {2, 0.2}}, 0.975};
 }
 
-/// Four pixels alike, each a neighbour of the others: PooledSpikes has their means under the naive form.
+/// Four equal pixels, all neighbours of each other. PooledSpikes has their means under the naive
+/// form.
 inline constexpr double equal_spikes_p = 0.1;
 inline SpikyPixels equal_spikes() {
   return {PixelGrid(2, 2), std::vector<SpikyPixels::Pixel>(4, {1, equal_spikes_p})};
@@ -59,7 +61,7 @@ inline double mean_of_image(const std::vector<double>& image) {
   return std::accumulate(image.begin(), image.end(), 0.0) / static_cast<double>(image.size());
 }
 
-/// Every pixel has its mean, and so has the image: one channel each.
+/// Tests the mean of every pixel, and of the image: one channel each.
 template <class Form, class Numbers>
 Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& form, const Numbers& numbers) {
   std::vector<Reference> references;
@@ -84,7 +86,8 @@ Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& f
   });
 }
 
-/// The row for an unbiased form with a score: on eight spiky pixels, pilot 2 or as planned.
+/// The row for an unbiased form with a score, on eight spiky pixels, with a pilot of 2 or as
+/// planned.
 template <class Form, class Numbers = FromStreams<>>
 Claim unbiased_allocation(const std::string& name, const std::vector<std::string>& subjects,
                           const std::string& source, const Form& form, const Numbers& numbers = {}) {
@@ -101,7 +104,8 @@ Claim unbiased_allocation(const std::string& name, const std::vector<std::string
           .real = real_name<typename Numbers::Real>()};
 }
 
-/// The mean of the naive form's image of four equal pixels, of which the truth is 1, against `mean`.
+/// Tests the mean of the image of four equal pixels by the naive form, whose true value is 1,
+/// against `mean`.
 template <class Form, class Numbers>
 Finding check_pooled(const Trial& trial, double mean, Sides sides, const Form& form, const Numbers& numbers) {
   const Reference reference{mean, 0, 1 / equal_spikes_p * (1 + 1e-12), 0, mean, sides};
@@ -132,7 +136,7 @@ Claim pooled_allocation(const std::string& name, const std::vector<std::string>&
                      [=](const Trial& trial) { return check_pooled(trial, mean, Sides::both, form, numbers); });
 }
 
-/// The row that says that it is at most `most`.
+/// The row for the claim that this mean is at most `most`.
 template <class Form>
 Claim darker_allocation(const std::string& name, double most, const Form& form) {
   const std::string statement = "are at least " + std::to_string(std::lround(100 * (1 - most))) + " % too dark";
@@ -141,8 +145,8 @@ Claim darker_allocation(const std::string& name, double most, const Form& form) 
   });
 }
 
-/// One noisy pixel among quiet ones: a draw is uniform within `reach` of 1, so its standard deviation is reach /
-/// sqrt 3.
+/// One noisy pixel among quiet ones: a draw is uniform within `reach` of 1, so its standard
+/// deviation is reach / sqrt 3.
 struct OneNoisyPixel {
   PixelGrid grid{4, 2};
   static double reach(std::size_t pixel) { return pixel == 5 ? 1 : 0.1; }
@@ -150,9 +154,10 @@ struct OneNoisyPixel {
   double operator()(std::size_t pixel, auto& source) const { return 1 + reach(pixel) * (2 * source.next() - 1); }
 };
 
-/// The row that says how much less noise an adaptive image has than a uniform one of the same budget: with n_i
-/// samples the variance of its mean is a sum of s_i^2 / n_i, which is least for n_i in proportion to s_i. Here (sum
-/// s_i)^2 / b against 8 sum s_i^2 / b, a ratio of 0.34 but for what the pilot costs.
+/// The row for how much less noise an adaptive image has than a uniform one of the same budget b.
+/// With n_i samples the variance of the mean is a sum of s_i^2 / n_i, which is least for n_i
+/// proportional to s_i. Here it is (sum s_i)^2 / b against 8 sum s_i^2 / b, a ratio of 0.34 plus
+/// the cost of the pilot.
 template <class Form, class Uniform>
 Claim quieter_allocation(const std::string& name, std::vector<std::string> subjects, double ratio, const Form& form,
                          const Uniform& uniform) {
@@ -165,7 +170,7 @@ Claim quieter_allocation(const std::string& name, std::vector<std::string> subje
           .source = "Neyman 1934",
           .margin_factor = 50,
           .check = [=](const Trial& trial) {
-            const double reach = (1 + 7 * 0.1) / 8 * (1 + 1e-12);  // of the image's mean, about 1
+            const double reach = (1 + 7 * 0.1) / 8 * (1 + 1e-12);  // of the mean of the image, which is about 1
             const auto images = [&](const char* purpose, const auto& drawn) {
               const StreamKey key(trial.seed, trial.claim + purpose);
               return BoundedEstimator{[key, drawn](std::uint64_t r) {

@@ -7,14 +7,15 @@
 
 namespace fairlight {
 
-/// The numbers of vertex v of a path of a pixel, as renders take them; a fault may stand in its place.
+/// The numbers of vertex v of a path of a pixel, as renders take them. A fault can replace them.
 struct NumbersOfVertices {
   static SampleBlock<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t v) {
     return IndependentNumbers(key).block<double>({pixel, path, v}, 0);
   }
 };
 
-/// Numbers that differ in nothing but the pixel, the path or the vertex are uncorrelated. A pixel's mean does not know of it.
+/// Numbers that differ only in the pixel, the path or the vertex are uncorrelated. The mean of a
+/// pixel does not show a correlation.
 template <class Numbers = NumbersOfVertices>
 Claim streams_uncorrelated_claim() {
   return {.name = "stream.apart",
@@ -28,7 +29,8 @@ Claim streams_uncorrelated_claim() {
             return test_uncorrelated(trial, {0.5, 0.5}, 0.5, 1.0 / 12, [&](std::uint64_t i) {
               const auto which = i % 3;
               const auto number = [&](std::uint32_t other) {
-                // The path goes on with the pixel: where pixels were forgotten, the numbers would else be the same ones for ever.
+                // The path number grows with the pixel number. Otherwise a fault that ignores the
+                // pixel would give the same numbers in every draw.
                 const std::uint32_t base = number_in_key(2 * i, "pixels");
                 return Numbers::of(key, base + (which == 0 ? other : 0), base + (which == 1 ? other : 0),
                                    which == 2 ? other : 0)[i / 3 % 5];

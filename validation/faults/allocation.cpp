@@ -9,7 +9,7 @@ namespace {
 constexpr AllocationPlan plan{PixelGrid(4, 2), 64, 2};
 constexpr const char* source = "Kirk and Arvo 1991";
 
-/// Rows of a form, by what shares out its budget.
+/// The rows of a form, for each score that divides its budget.
 template <template <class> class Form, class... Stages>
 std::vector<Claim> rows(const std::string& form, Stages... stages) {
   return {unbiased_allocation("allocation." + form + ".deviation", {}, source,

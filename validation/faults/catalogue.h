@@ -10,17 +10,16 @@ namespace fairlight {
 /// A wrong estimator that the claims must catch.
 struct Fault {
   std::string name;
-  std::string kind;           ///< its class, as in the field's record of shipped bugs
-  std::string source;         ///< where such a bug is on record
-  std::vector<Claim> claims;  ///< rows of the registry, by name, with the wrong component in the right one's place
-  std::vector<Claim>
-      passed{};  ///< rows that it meets all the same: wrongs that cancel there, or leave the mean as it is
-  std::string survives{};  ///< why none of its rows is expected to catch it; or empty
+  std::string kind;           ///< its class, as in the record of bugs that projects shipped
+  std::string source;         ///< where such a bug is recorded
+  std::vector<Claim> claims;  ///< rows of the registry, by name, with the wrong component in place of the right one
+  std::vector<Claim> passed{};  ///< rows that it passes: errors that cancel there, or leave the mean unchanged
+  std::string survives{};       ///< why no row of it is expected to catch it; or empty
 };
 
 const std::vector<Fault>& fault_catalogue();
 
-/// Its parts, each in a file of its own.
+/// The parts of the catalogue, each in its own file.
 std::vector<Fault> direction_faults();
 std::vector<Fault> microfacet_faults();
 std::vector<Fault> material_faults();

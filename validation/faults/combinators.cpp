@@ -9,7 +9,7 @@
 namespace fairlight {
 namespace {
 
-// The rows of an experiment, in double and in packets.
+// The rows of an estimand, in double and in packets.
 template <class Estimand>
 std::vector<Claim> both(const Estimand& wrong) {
   return {mean_claim<double>(wrong), mean_claim<Packet>(wrong)};

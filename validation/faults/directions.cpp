@@ -48,7 +48,7 @@ Fault crowded_cosine() {
           {law_moments_claim(cosine_law<faults::CrowdedCosine>())}};
 }
 
-// What makes up for it: the integrand does not turn with the azimuth.
+// A fault that an integral hides: the integrand does not depend on the azimuth.
 Fault half_cone() {
   return {"cone-half-turn",
           "two wrongs",

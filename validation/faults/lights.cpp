@@ -14,7 +14,7 @@ std::vector<Claim> both(const Estimand<Draw>& e) {
   return {mean_claim<double>(e), mean_claim<Packet>(e)};
 }
 
-// The bounds are those of the wrong draws, so that it is the mean that gives them away.
+// The bounds are those of the wrong draws, so that only the mean shows the fault.
 Fault radius_written_in() {
   const SphereFromOrigin near{{1, 2, 2.5}, 2};
   return {"sphere-radius-written-in", "Montelight", "Smerity/montelight-cpp",

@@ -21,7 +21,7 @@ Fault leaky_glass() {
           inside_glass<faults::LeakyDielectric>()};
 }
 
-// The rows of an experiment, in double and in packets.
+// The rows of an estimand, in double and in packets.
 template <class Estimand>
 std::vector<Claim> both(const Estimand& wrong) {
   return {mean_claim<double>(wrong), mean_claim<Packet>(wrong)};

@@ -13,7 +13,7 @@ using Tracer = TracerBy<CosineHemisphere>;
 using FixedDepth =
     PathTracer<BouncesBy<CosineHemisphere>, DirectLight<AllLights, PointsBy<SphereByCone>>, NoRoulette>;
 
-// The row of the furnace by bounces alone.
+// The row of the furnace with bounces alone.
 template <class Wrong>
 std::vector<Claim> by_bounces() {
   return {mean_claim(furnace_radiance<Wrong>("furnace.bounce", {}))};

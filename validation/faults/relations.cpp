@@ -5,7 +5,7 @@
 namespace fairlight {
 namespace {
 
-// Tracers by any strategies whose scene answers wrongly.
+// Tracers of any strategies, with scenes that answer rays wrongly.
 template <class Tracer>
 using FromAMicron = faults::TracerIn<Tracer, faults::NearHitsIgnored<6>::In>;
 template <class Tracer>

@@ -11,7 +11,7 @@
 namespace fairlight {
 namespace {
 
-// Faults that leave the mean as it is: what shows them is a variance, a correlation or a cost.
+// Faults that keep the mean. A variance, a correlation or a cost shows them.
 
 template <template <class> class Set>
 Fault of_points(const std::string& name, const std::string& source, const std::string& suffix, std::uint32_t n) {

@@ -3,16 +3,19 @@
 #include <fairlight/estimators/allocation_naive.h>
 #include <fairlight/validation/claims/image_numbers.h>
 
-/// Wrong forms of adaptive sampling, of the class of Kirk and Arvo 1991; naive::PooledStages is the first of them.
+/// Wrong forms of adaptive sampling, of the class of Kirk and Arvo 1991. naive::PooledStages is the
+/// first of them.
 namespace fairlight::faults {
 
-/// Each stage's mean weighs as many samples as the pixel got in it, which the earlier samples decided: all samples pooled.
+/// Weights the mean of each stage by the number of samples of the pixel, which earlier samples
+/// determine. This pools all samples.
 template <AllocationScore Score>
 struct StagesWeighedByCounts : naive::PooledStages<Score> {
   StagesWeighedByCounts(AllocationPlan plan, std::uint64_t stages) : naive::PooledStages<Score>(plan, stages, 1) {}
 };
 
-/// A pixel's samples from the points of one set, stage after stage: the pilot's are strata of those that follow.
+/// Takes all samples of a pixel from one point set, stage after stage, so that the samples of the
+/// pilot are strata of the later ones.
 struct FromOneSet {
   using Real = double;
   std::string suffix = ".sobol";
@@ -34,7 +37,7 @@ struct FromOneSet {
   }
 };
 
-/// Two halves, each sized by its own pilot.
+/// Two halves, each with a number of samples from its own pilot.
 template <AllocationScore Score>
 class HalvesSizingThemselves {
  public:
@@ -54,8 +57,8 @@ class HalvesSizingThemselves {
   naive::PooledStages<Score> half_;
 };
 
-/// Halves that size each other, but put together by their counts, not by one half each: the weight of a half then
-/// depends on the pilot of the other.
+/// Halves that set the size of each other, but weighted by their counts instead of by one half
+/// each. The weight of a half then depends on the pilot of the other.
 template <AllocationScore Score>
 class HalvesWeighedByCounts {
  public:

@@ -4,10 +4,11 @@
 #include <fairlight/estimators/lens.h>
 #include <fairlight/render/camera.h>
 
-/// Wrong filters and lenses, each a bug of a class that somebody shipped; see wrong_components.h.
+/// Wrong filters and lenses, of classes of bugs that projects shipped; see wrong_components.h.
 namespace fairlight::faults {
 
-/// The distance from the lens's centre is uniform, not its square: the square root is missing, and the middle crowded.
+/// The distance from the centre of the lens is uniform instead of its square: the square root is
+/// missing, and points crowd in the middle.
 template <class Real>
 struct CrowdedAperture : CircularAperture<Real> {
   explicit CrowdedAperture(Real radius) : CircularAperture<Real>(radius), radius_(radius) {}
@@ -22,7 +23,7 @@ struct CrowdedAperture : CircularAperture<Real> {
   Real radius_;
 };
 
-/// A square of the disk's area in the disk's place.
+/// A square with the area of the disk, in place of the disk.
 template <class Real>
 struct SquareAperture : CircularAperture<Real> {
   explicit SquareAperture(Real radius) : CircularAperture<Real>(radius), radius_(radius) {}
@@ -36,7 +37,8 @@ struct SquareAperture : CircularAperture<Real> {
   Real radius_;
 };
 
-/// The density of a Gaussian that was never cut off, on draws that are. On record: the class of pbrt-v3 #319.
+/// Draws from a truncated Gaussian, with the density of one that is not truncated.
+/// On record: the class of pbrt-v3 #319.
 template <class Real>
 class UnnormalisedGaussian : public GaussianFilter<Real> {
  public:
@@ -54,7 +56,7 @@ class UnnormalisedGaussian : public GaussianFilter<Real> {
   Real kept_;
 };
 
-/// Focused at a distance along the ray, on a sphere instead of a plane.
+/// Focuses at a distance along the ray, so on a sphere instead of a plane.
 template <class Real, class Aperture>
 class SphericalFocus {
  public:
@@ -68,7 +70,7 @@ class SphericalFocus {
   Aperture aperture_;
 };
 
-/// The filter is drawn about a pixel's corner: half a pixel is missing.
+/// Centres the filter on the corner of a pixel: half a pixel is missing.
 struct RaysAboutCorners {
   template <class Filter, class Source>
   auto operator()(const Camera& camera, const Filter& filter, int x, int y, int width, int height,
@@ -79,7 +81,7 @@ struct RaysAboutCorners {
   }
 };
 
-/// The filter and the lens are given the same numbers.
+/// The filter and the lens use the same random numbers.
 struct RaysThatShareNumbers {
   template <class Filter, class Source>
   auto operator()(const Camera& camera, const Filter& filter, int x, int y, int width, int height,
@@ -92,7 +94,8 @@ struct RaysThatShareNumbers {
   }
 };
 
-/// The pupil's area is left out of its density. On record: pbrt-v3 #162.
+/// Leaves the area of the pupil out of its density.
+/// On record: pbrt-v3 #162.
 template <class Real>
 struct PupilWithoutArea : CircularAperture<Real> {
   using CircularAperture<Real>::CircularAperture;

@@ -7,10 +7,10 @@
 #include <fairlight/estimators/splitting.h>
 #include <fairlight/estimators/stratification.h>
 
-/// Wrong combinators, which stand in for the right ones through the same template parameters.
+/// Wrong combinators. They replace the right ones through the same template parameters.
 namespace fairlight::faults {
 
-/// The first law's weight is squared, the others' are not: they do not sum to one.
+/// Squares the weight of the first law but not those of the others, so that they do not sum to one.
 /// On record: the class of mitsuba aa325039f and Moer #59.
 struct PowerOnOneSide {
   template <class Measure, class Real, std::size_t N>
@@ -20,7 +20,8 @@ struct PowerOnOneSide {
   static double excess(std::size_t laws) { return PowerHeuristic::excess(laws); }
 };
 
-/// As many draws as asked for, but counted as if each law gave one: f / sum p_k. On record: the class of appleseed #1515.
+/// Takes the requested number of draws from each law, but weights as if each gave one: f / sum p_k.
+/// On record: the class of appleseed #1515.
 struct CountsIgnored {
   template <class Measure, class Real, std::size_t N>
   static Real weight(const std::array<Real, N>& n, const std::array<Density<Measure, Real>, N>& p, std::size_t i) {
@@ -31,7 +32,8 @@ struct CountsIgnored {
   static double excess(std::size_t laws) { return BalanceHeuristic::excess(laws); }
 };
 
-/// The probability of the law that was chosen is not divided by. On record: the class of LuxCore #68.
+/// Does not divide by the probability of the chosen law.
+/// On record: the class of LuxCore #68.
 struct SelectionUnpaid {
   template <class Measure, class Real, std::size_t N>
   static Real weight(const std::array<Real, N>& c, const std::array<Density<Measure, Real>, N>& p, std::size_t i) {
@@ -40,21 +42,22 @@ struct SelectionUnpaid {
   static double excess(std::size_t laws) { return BalanceHeuristic::excess(laws); }
 };
 
-/// The integral of the control is taken away once more, not added.
+/// Subtracts the integral of the control instead of adding it.
 template <class Inner, class Control>
 struct WrongSign : ControlVariate<Inner, Control> {
   WrongSign(const Inner& inner, const Control& control, double c, double mean)
       : ControlVariate<Inner, Control>(inner, control, c, -mean) {}
 };
 
-/// The integral of the control is added without the factor that the control has.
+/// Adds the integral of the control without the factor of the control.
 template <class Inner, class Control>
 struct FactorForgotten : ControlVariate<Inner, Control> {
   FactorForgotten(const Inner& inner, const Control& control, double c, double mean)
       : ControlVariate<Inner, Control>(inner, control, c, mean / c) {}
 };
 
-/// The sum of the runs, not their mean. On record: the class of appleseed #1515 and mitsuba3 #1861.
+/// Gives the sum of the runs, not their mean.
+/// On record: the class of appleseed #1515 and mitsuba3 #1861.
 template <class Inner>
 class UnpaidSplitting : public Splitting<Inner> {
  public:
@@ -67,7 +70,8 @@ class UnpaidSplitting : public Splitting<Inner> {
   double k_;
 };
 
-/// The jitter reaches over half of each cell. On record: the class of pbrt-v3 #319, a hole in the samples.
+/// Jitters over half of each cell only.
+/// On record: the class of pbrt-v3 #319, a hole in the samples.
 template <class Inner>
 class HalfJitter : public StratifiedMean<Inner> {
  public:
@@ -87,7 +91,8 @@ class HalfJitter : public StratifiedMean<Inner> {
   };
 };
 
-/// Each of two laws is weighted with the other's density: the weights still sum to one, but the variance is infinite.
+/// Weights each of two laws with the density of the other. The weights still sum to one, but the
+/// variance is infinite.
 /// On record: the class of three-gpu-pathtracer #847.
 struct DensitiesSwapped {
   template <class Measure, class Real>
@@ -97,7 +102,8 @@ struct DensitiesSwapped {
   static double excess(std::size_t laws) { return PowerHeuristic::excess(laws); }
 };
 
-/// Played with the largest reflectance, but paid with the mean of the three. On record: the class of ospray #552.
+/// Plays roulette with the largest reflectance, but divides by the mean of the three.
+/// On record: the class of ospray #552.
 struct RoulettePaidByMean {
   template <class Real, class Source>
   static Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>&, const Real&, Source& source) {
@@ -106,7 +112,7 @@ struct RoulettePaidByMean {
   }
 };
 
-/// By what a path carries before the bounce that it is asked about, and not after it: it goes on once more.
+/// Plays roulette with the throughput before the bounce, not after it, so a path goes on once more.
 struct CarriedBefore {
   template <class Real, class Source>
   static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>& throughput, const Real& depth, Source& source) {
@@ -114,7 +120,7 @@ struct CarriedBefore {
   }
 };
 
-/// Bounces that are spared are paid for all the same.
+/// Divides by the survival probability at bounces without roulette too.
 template <class Roulette>
 struct SparedPaid : RouletteFromBounce<Roulette> {
   using RouletteFromBounce<Roulette>::RouletteFromBounce;
@@ -127,7 +133,8 @@ struct SparedPaid : RouletteFromBounce<Roulette> {
   }
 };
 
-/// A probability above 1, cut to 0.95: nobody is ever saved work. On record: practical-path-guiding #3.
+/// A probability above 1, clamped to 0.95: roulette never saves work.
+/// On record: practical-path-guiding #3.
 struct RouletteAtItsCap {
   template <class Real, class Source>
   static Survival<Real> play(const Rgb<Real>&, const Rgb<Real>&, const Real&, Source& source) {
@@ -135,7 +142,8 @@ struct RouletteAtItsCap {
   }
 };
 
-/// The number that chose a light is used again for the point on it, not rescaled. On record: the class of pbrt-v4 795c619b.
+/// Uses the number that chose a light again for the point on it, without rescaling.
+/// On record: the class of pbrt-v4 795c619b.
 struct OneOfReusingNumbers : UniformLightSampler {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
@@ -145,7 +153,8 @@ struct OneOfReusingNumbers : UniformLightSampler {
   }
 };
 
-/// Every term is given the same numbers: the mean does not mind, the variance does. On record: the class of zenphoton #8.
+/// Gives every term the same numbers. The mean is right, the variance is not.
+/// On record: the class of zenphoton #8.
 struct AllOfOneNumber : AllLights {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {
@@ -159,7 +168,8 @@ struct AllOfOneNumber : AllLights {
   }
 };
 
-/// Every run is given the same numbers, and brings nothing. On record: the class of SORT #35.
+/// Gives every run the same numbers, so that more runs add nothing.
+/// On record: the class of SORT #35.
 template <class Inner>
 class SplittingOfOneRun : public Splitting<Inner> {
  public:
@@ -170,7 +180,7 @@ class SplittingOfOneRun : public Splitting<Inner> {
   Inner inner_;
 };
 
-/// The control is drawn apart, so the two have nothing in common.
+/// Draws the control from other numbers, so the two are uncorrelated.
 template <class Inner, class Control>
 class ControlDrawnApart : public ControlVariate<Inner, Control> {
  public:
@@ -192,7 +202,7 @@ class ControlDrawnApart : public ControlVariate<Inner, Control> {
   double c_, mean_;
 };
 
-/// As many draws as the grid has cells, wherever they fall.
+/// Takes as many draws as the grid has cells, but not one in each.
 template <class Inner>
 class StrataForgotten : public StratifiedMean<Inner> {
  public:
@@ -210,7 +220,8 @@ class StrataForgotten : public StratifiedMean<Inner> {
   int cells_;
 };
 
-/// A sum that lets go of what it rounds off. On record: ice_halo_sim #380.
+/// A sum that drops what it rounds off.
+/// On record: ice_halo_sim #380.
 template <class Real>
 struct PlainSum {
   Real sum = Real(0);

@@ -5,11 +5,12 @@
 #include <fairlight/estimators/sphere_sampling.h>
 #include <fairlight/estimators/uniform_sphere_area.h>
 
-/// Wrong variants of the kit's components, each a bug that somebody shipped. They stand in for the right ones
+/// Wrong variants of components, each a bug that a project shipped. They replace the right ones
 /// through the same template parameters, and are part of no library.
 namespace fairlight::faults {
 
-/// Points on a sphere with the polar angle uniform: crowded at the poles. The density still says uniform.
+/// Points on a sphere with a uniform polar angle: they crowd at the poles. The density is that of
+/// uniform points.
 /// On record: Smerity/montelight-cpp.
 template <class Real>
 struct ThetaUniformSphere : UniformSphereArea<Real> {
@@ -26,7 +27,8 @@ struct ThetaUniformSphere : UniformSphereArea<Real> {
 template <class Real>
 using SphereByTheta = SphereByArea<Real, ThetaUniformSphere>;
 
-/// Directions with the cosine's exponent 2 % too large. On record: the class of raytracing.github.io #145.
+/// Cosine-weighted directions with an exponent 2 % too large.
+/// On record: the class of raytracing.github.io #145.
 template <class Real>
 struct SteepCosineHemisphere : CosineHemisphere<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const {
@@ -37,7 +39,8 @@ struct SteepCosineHemisphere : CosineHemisphere<Real> {
   }
 };
 
-/// Survivors are not paid for. On record: openmc #3511, chunky #1018, Montelight.
+/// Does not divide survivors by their probability.
+/// On record: openmc #3511, chunky #1018, Montelight.
 struct UnpaidRoulette {
   template <class Real>
   static Survival<Real> play(Real q, Real u) {
@@ -45,7 +48,8 @@ struct UnpaidRoulette {
   }
 };
 
-/// One luminaire for all of them, not weighted by their number. On record: the class of LuxCore #68.
+/// One luminaire instead of all, not multiplied by their number.
+/// On record: the class of LuxCore #68.
 struct OneUnweighted : UniformLightSampler {
   template <class Real, UniformSource<Real> Source, class Term>
   static auto sum(int n, Source& source, const Term& term) {

@@ -3,10 +3,12 @@
 #include <fairlight/estimators/roulette.h>
 #include <fairlight/render/direct_light.h>
 
-/// Wrong ways to find the luminaires' light on a path, each a bug that somebody shipped, or of its class.
+/// Wrong strategies for direct light on a path, each a bug that a project shipped, or of the class
+/// of one.
 namespace fairlight::faults {
 
-/// Emission counted at every depth, beside the shadow rays. On record: the paper, A.2.
+/// Counts emission at every depth, besides the shadow rays.
+/// On record: the paper, A.2.
 struct EmissionTwice : DirectLight<AllLights> {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
@@ -15,7 +17,8 @@ struct EmissionTwice : DirectLight<AllLights> {
   static constexpr bool next_event_only() { return false; }
 };
 
-/// Luminaires that the camera sees are black. On record: mitsuba3 #1540.
+/// Luminaires that the camera sees directly are black.
+/// On record: mitsuba3 #1540.
 struct EmissionUnseen : DirectLight<AllLights> {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>&, const Real&, const Real&) {
@@ -23,7 +26,8 @@ struct EmissionUnseen : DirectLight<AllLights> {
   }
 };
 
-/// Roulette is played before the shadow ray, which is not paid for it. On record: vk_raytrace #13, openmc #241.
+/// Plays roulette before the shadow ray, without dividing its light by the probability.
+/// On record: vk_raytrace #13, openmc #241.
 struct LightAfterRoulette : DirectLight<AllLights> {
   template <class Real, class Scene, class Source, class Bsdf>
   Rgb<Real> estimate(const Scene& scene, const Vertex<Real>& vertex, const Bsdf& bsdf, Source& source,
@@ -34,7 +38,8 @@ struct LightAfterRoulette : DirectLight<AllLights> {
   }
 };
 
-/// What a mirror shows is left to shadow rays, which do not find it. On record: three-gpu-pathtracer #174.
+/// Leaves the light in mirrors to shadow rays, which cannot find it.
+/// On record: three-gpu-pathtracer #174.
 struct MirrorsToShadowRays : DirectLight<AllLights> {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>& ray, const Real&, const Real&) {
@@ -42,7 +47,8 @@ struct MirrorsToShadowRays : DirectLight<AllLights> {
   }
 };
 
-/// A mirror's direction is given a density, 1, and shares its light with shadow rays. On record: three-gpu-pathtracer #174.
+/// Gives the direction of a mirror the density 1, so that it shares its light with shadow rays.
+/// On record: three-gpu-pathtracer #174.
 struct MirrorsWithDensity : DirectLight<AllLights, PointsBy<SphereByCone>, MisWeighted<>> {
   template <class Real, class Scene>
   Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
@@ -51,7 +57,8 @@ struct MirrorsWithDensity : DirectLight<AllLights, PointsBy<SphereByCone>, MisWe
   }
 };
 
-/// The density of the shadow ray is that which it has a metre before the vertex. On record: the class of mitsuba aa325039f.
+/// Evaluates the density of the shadow ray one metre before the vertex.
+/// On record: the class of mitsuba aa325039f.
 struct DensityAtWrongVertex : PointsBy<SphereByCone> {
   template <class Real>
   static Density<SolidAngle, Real> pdf(const LightTable<Real>& lights, const Index<Real>& i,
@@ -61,7 +68,8 @@ struct DensityAtWrongVertex : PointsBy<SphereByCone> {
   }
 };
 
-/// What a bounce finds is counted in full, beside the shadow rays' share. On record: Moer #59.
+/// Counts the light that a bounce finds in full, besides the share of the shadow rays.
+/// On record: Moer #59.
 struct SharedByShadowRaysAlone : MisWeighted<> {
   template <class Measure, class Real>
   static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
@@ -69,7 +77,8 @@ struct SharedByShadowRaysAlone : MisWeighted<> {
   }
 };
 
-/// Shadow rays are weighted by the power heuristic, and bounces by the balance heuristic. Of the class of Moer #59.
+/// Weights shadow rays by the power heuristic, and bounces by the balance heuristic.
+/// Of the class of Moer #59.
 struct MixedHeuristics : MisWeighted<> {
   template <class Measure, class Real>
   static Real weight(const std::array<Real, 2>& n, const std::array<Density<Measure, Real>, 2>& p, std::size_t i) {
@@ -77,7 +86,8 @@ struct MixedHeuristics : MisWeighted<> {
   }
 };
 
-/// Which light a shadow ray looks for is drawn, but bounces leave its probability out of their weights. On record: redner #56.
+/// Shadow rays pick one light, but the weights of bounces leave out the probability of the pick.
+/// On record: redner #56.
 struct ChanceForgottenByBounces : DirectLight<UniformLightSampler, PointsBy<SphereByCone>, MisWeighted<>> {
   template <class Real, class Scene>
   Real emission_weight(const Scene& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
@@ -86,7 +96,8 @@ struct ChanceForgottenByBounces : DirectLight<UniformLightSampler, PointsBy<Sphe
   }
 };
 
-/// A point of a lit rectangle, beside its plane by rounding, has all of it in view. This kit's own, which `lit_box` found.
+/// A point of an emitting rectangle, off its plane by rounding, sees all of the rectangle. A bug of
+/// fairlight itself, which `lit_box` found.
 struct RectanglesLightThemselves {
   using Right = PointsBy<SphereByArea, RectangleBySolidAngle>;
 

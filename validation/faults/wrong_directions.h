@@ -5,10 +5,12 @@
 #include <fairlight/estimators/hemisphere.h>
 #include <fairlight/estimators/lobe.h>
 
-/// Wrong variants of the laws of directions and of what is sampled by them, each a bug that somebody shipped.
+/// Wrong variants of laws of directions and of what samples them, each a bug that a project
+/// shipped.
 namespace fairlight::faults {
 
-/// Directions in a cone with the polar angle uniform: crowded at the axis. The density still says uniform.
+/// Directions in a cone with a uniform polar angle: they crowd at the axis. The density is that of
+/// uniform directions.
 /// On record: the class of openmc #2041, appleseed #2851.
 template <class Real>
 class ThetaUniformCone : public UniformCone<Real> {
@@ -29,7 +31,9 @@ class ThetaUniformCone : public UniformCone<Real> {
   }
 };
 
-/// The sine of a direction in the cone from its cosine: a narrow cone collapses to its axis. On record: pbrt-v3 #212.
+/// Computes the sine of a direction in the cone from its cosine, so that a narrow cone collapses to
+/// its axis.
+/// On record: pbrt-v3 #212.
 template <class Real>
 class CollapsedCone : public UniformCone<Real> {
  public:
@@ -43,7 +47,8 @@ class CollapsedCone : public UniformCone<Real> {
   }
 };
 
-/// A lobe whose draws have the exponent n - 1: cos = (1-u)^(1/n), the exponent's +1 forgotten. The density says n.
+/// A lobe whose draws have the exponent n - 1: cos = (1-u)^(1/n), without the +1. The density has
+/// n.
 /// On record: the class of raytracing.github.io #145.
 template <class Real>
 class BluntLobe : public PowerCosineLobe<Real> {
@@ -59,7 +64,8 @@ class BluntLobe : public PowerCosineLobe<Real> {
 template <class Real>
 using BluntGlossy = Glossy<Real, BluntLobe>;
 
-/// A glossy surface that takes the cosine's magnitude, and so reflects what is drawn below it.
+/// A glossy surface that takes the magnitude of the cosine, so that it reflects directions below
+/// it.
 /// On record: the class of dspbr-pt #5 (support).
 template <class Real>
 struct LeakyGlossy : Glossy<Real> {
@@ -73,7 +79,8 @@ struct LeakyGlossy : Glossy<Real> {
   }
 };
 
-/// The density of a whole sphere's cosines: half as large. On record: the class of raytracing.github.io #145.
+/// The density for the cosine over a whole sphere: half as large.
+/// On record: the class of raytracing.github.io #145.
 template <class Real>
 struct HalfCosineDensity : CosineHemisphere<Real> {
   Density<SolidAngle, Real> pdf(const Vec3<Real>& w) const {
@@ -81,8 +88,8 @@ struct HalfCosineDensity : CosineHemisphere<Real> {
   }
 };
 
-/// Points of the disk below the hemisphere without the root: crowded at the pole. On record: the class of
-/// raytracing.github.io #145.
+/// Projects points of the disk whose radius lacks the square root: directions crowd at the pole.
+/// On record: the class of raytracing.github.io #145.
 template <class Real>
 struct CrowdedCosine : CosineHemisphere<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const {
@@ -91,8 +98,9 @@ struct CrowdedCosine : CosineHemisphere<Real> {
   }
 };
 
-/// Uniform directions that are said to be cosine-weighted. Where f is constant every bounce weighs its albedo all the same:
-/// the wrong density hides the wrong draws. On record: raytracing.github.io #933.
+/// Uniform directions with the density of cosine-weighted ones. Where f is constant every bounce
+/// still has the albedo as its weight: the wrong density hides the wrong draws.
+/// On record: raytracing.github.io #933.
 template <class Real>
 struct UniformCalledCosine : CosineHemisphere<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const {
@@ -100,8 +108,9 @@ struct UniformCalledCosine : CosineHemisphere<Real> {
   }
 };
 
-/// Directions of one half of a cone, with the density of all of it: the halves make up for each other wherever what is integrated
-/// is the same in both. On record: the class of raytracing.github.io #933.
+/// Directions in one half of a cone, with the density of the whole. An integrand that is the same
+/// in both halves hides it.
+/// On record: the class of raytracing.github.io #933.
 template <class Real>
 class HalfCone : public UniformCone<Real> {
  public:
@@ -111,7 +120,7 @@ class HalfCone : public UniformCone<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const { return UniformCone<Real>::sample({u.x(), u.y() / Real(2)}); }
 };
 
-/// Directions with the cosine's exponent 1e-4 too large.
+/// Cosine-weighted directions with an exponent 1e-4 too large.
 template <class Real>
 struct HardlySteepCosine : CosineHemisphere<Real> {
   Vec3<Real> sample(const Vec2<Real>& u) const {

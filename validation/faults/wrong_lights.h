@@ -4,10 +4,11 @@
 #include <fairlight/estimators/rectangle_light.h>
 #include <fairlight/estimators/sphere_sampling.h>
 
-/// Wrong ways to sample lights, in the place of the right ones.
+/// Wrong light sampling. Each fault replaces a right strategy.
 namespace fairlight::faults {
 
-/// The solid angle of a sphere with a radius written in: 1 m, whatever the sphere's. On record: Smerity/montelight-cpp.
+/// The solid angle of a sphere with a hard-coded radius of 1 m.
+/// On record: Smerity/montelight-cpp.
 template <class Real>
 struct RadiusWrittenIn : SphereByCone<Real> {
   using SphereByCone<Real>::SphereByCone;
@@ -20,8 +21,9 @@ struct RadiusWrittenIn : SphereByCone<Real> {
   }
 };
 
-/// Area turned into solid angle by the square of the distance alone, as if every point faced the one that it lights. On record:
-/// the class of Baikal #82 and AdaPT #22.
+/// Converts area to solid angle by the square of the distance alone, without the cosine at the
+/// light.
+/// On record: the class of Baikal #82 and AdaPT #22.
 template <class Real>
 struct CosineMissing : SphereByVisibleHemisphere<Real> {
   explicit CosineMissing(const SphereLight<Real>& sphere)
@@ -35,7 +37,8 @@ struct CosineMissing : SphereByVisibleHemisphere<Real> {
   Real radius;
 };
 
-/// A rectangle's density per area taken for one per solid angle. On record: the class of pbrt-v4 d86222e6.
+/// Takes the density of a rectangle per area for one per solid angle.
+/// On record: the class of pbrt-v4 d86222e6.
 template <class Real>
 struct AreaForSolidAngle : RectangleByArea<Real> {
   explicit AreaForSolidAngle(const RectangleLight<Real>& rectangle)
@@ -48,7 +51,8 @@ struct AreaForSolidAngle : RectangleByArea<Real> {
   Real area;
 };
 
-/// A light chosen by its power, and weighted by the number of lights. On record: the class of ospray #552.
+/// Picks a light by its power, but divides by the uniform probability.
+/// On record: the class of ospray #552.
 template <class Real>
 struct PowerWeightedByNumber : PowerChoice<Real> {
   using PowerChoice<Real>::PowerChoice;
@@ -57,7 +61,8 @@ struct PowerWeightedByNumber : PowerChoice<Real> {
   }
 };
 
-/// Area turned into solid angle by the distance, not by its square. On record: the class of Baikal #82.
+/// Converts area to solid angle by the distance instead of its square.
+/// On record: the class of Baikal #82.
 template <class Real>
 struct DistanceNotSquared : SphereByVisibleHemisphere<Real> {
   using SphereByVisibleHemisphere<Real>::SphereByVisibleHemisphere;
@@ -68,7 +73,8 @@ struct DistanceNotSquared : SphereByVisibleHemisphere<Real> {
   }
 };
 
-/// Points of the visible half, with the density of the whole sphere. On record: the class of raytracing.github.io #145.
+/// Points on the visible half, with the density of the whole sphere.
+/// On record: the class of raytracing.github.io #145.
 template <class Real>
 struct HalfWithDensityOfWhole : SphereByVisibleHemisphere<Real> {
   using SphereByVisibleHemisphere<Real>::SphereByVisibleHemisphere;
@@ -79,7 +85,8 @@ struct HalfWithDensityOfWhole : SphereByVisibleHemisphere<Real> {
   }
 };
 
-/// The number is compared with each light's own probability, not with their sum so far. On record: UnitySSPathTracingURP #8.
+/// Compares the random number with the probability of each light, not with the cumulative sum.
+/// On record: UnitySSPathTracingURP #8.
 template <class Real>
 struct ThresholdsNotCumulative : PowerChoice<Real> {
   using PowerChoice<Real>::PowerChoice;

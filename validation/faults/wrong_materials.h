@@ -6,12 +6,14 @@
 /// Wrong variants of the surfaces.
 namespace fairlight::faults {
 
-/// Refraction does not make radiance denser. On record: caramel #36.
+/// Leaves out the factor 1 / eta^2 of radiance at refraction.
+/// On record: caramel #36.
 template <class Real>
 using UnscaledDielectric = Dielectric<Real, Transport::importance>;
 
-/// Total internal reflection is missed: the index is taken as that of light from outside on both sides, and where there
-/// is then no refracted ray its light is lost. On record: yocto-gl #452, ChameleonRT #3.
+/// Misses total internal reflection: it uses the index for light from outside on both sides, and
+/// loses the light where there is then no refracted ray.
+/// On record: yocto-gl #452, ChameleonRT #3.
 template <class Real>
 class LeakyDielectric : public Dielectric<Real> {
  public:
@@ -32,7 +34,8 @@ class LeakyDielectric : public Dielectric<Real> {
   Real index_;
 };
 
-/// A mixture that remembers its lobes, and weighs its bounces by a factor that it should not.
+/// A mixture that keeps its lobes, for faults that multiply the weight of a bounce by a wrong
+/// factor.
 template <class First, class Second>
 class WrongMixture : public Mixture<First, Second> {
  public:
@@ -45,7 +48,7 @@ class WrongMixture : public Mixture<First, Second> {
  protected:
   Real first_probability() const { return first_.probability; }
 
-  /// The number that `of` gives for the lobe that was chosen.
+  /// The value of `of` for the chosen lobe.
   template <class Of>
   Real of_chosen(const Numbers& u, const Of& of) const {
     return select(u[0] < first_.probability, Real(of(first_)), Real(of(second_)));
@@ -56,8 +59,9 @@ class WrongMixture : public Mixture<First, Second> {
   WeightedLobe<Second> second_;
 };
 
-/// All that the surface reflects over the density of the chosen lobe alone: light that both lobes may send is counted
-/// twice. On record: OpenShadingLanguage #2054.
+/// Divides the f of both lobes by the density of the chosen lobe alone: light that both lobes can
+/// send counts twice.
+/// On record: OpenShadingLanguage #2054.
 template <class First, class Second>
 struct OwnDensityMixture : WrongMixture<First, Second> {
   using Wrong = WrongMixture<First, Second>;
@@ -73,7 +77,8 @@ struct OwnDensityMixture : WrongMixture<First, Second> {
   }
 };
 
-/// A single direction is not paid with the probability of its lobe. On record: the class of mitsuba3 bcc10a142.
+/// Does not divide the weight of a single direction by the probability of its lobe.
+/// On record: the class of mitsuba3 bcc10a142.
 template <class First, class Second>
 struct UnpaidMixture : WrongMixture<First, Second> {
   using Wrong = WrongMixture<First, Second>;
@@ -88,7 +93,8 @@ struct UnpaidMixture : WrongMixture<First, Second> {
   }
 };
 
-/// The number that chose a lobe is rescaled by times its probability, not by dividing. On record: pbrt-v4 795c619b.
+/// Rescales the number that chose a lobe by multiplying with its probability instead of dividing.
+/// On record: pbrt-v4 795c619b.
 template <class First, class Second>
 struct NumberReusedWrongly : WrongMixture<First, Second> {
   using Wrong = WrongMixture<First, Second>;
@@ -104,7 +110,8 @@ struct NumberReusedWrongly : WrongMixture<First, Second> {
   }
 };
 
-/// The cosine twice: in f and in the weight. On record: the class of mitsuba3 #1011.
+/// Applies the cosine twice: in f and in the weight.
+/// On record: the class of mitsuba3 #1011.
 template <class First, class Second>
 struct CosineTwice : WrongMixture<First, Second> {
   using Wrong = WrongMixture<First, Second>;

@@ -2,18 +2,20 @@
 
 #include <fairlight/estimators/energy_compensation.h>
 
-/// Wrong microfacets, each a bug that somebody shipped, or of its class. They stand in for the right ones through the
-/// same template parameters, and are part of no library.
+/// Wrong microfacets, each a bug that a project shipped, or of the class of one. They replace the
+/// right ones through the same template parameters, and are part of no library.
 namespace fairlight::faults {
 
-/// The density of the normal for that of the direction: without 1 / (4 out.m). On record: the class of AdaPT #22.
+/// Takes the density of the normal for that of the direction: 1 / (4 out.m) is missing.
+/// On record: the class of AdaPT #22.
 template <class Real>
 struct NoHalfVectorJacobian : GgxVisibleNormals<Real> {
   using GgxVisibleNormals<Real>::GgxVisibleNormals;
   Density<SolidAngle, Real> reflected_pdf(const Vec3<Real>& m) const { return this->pdf(m); }
 };
 
-/// Max(0, out.m) D(m) / z_out: the masking is missing. On record: the class of three-gpu-pathtracer #847.
+/// The density max(0, out.m) D(m) / z_out, without masking.
+/// On record: the class of three-gpu-pathtracer #847.
 template <class Real>
 class UnmaskedNormals : public GgxVisibleNormals<Real> {
  public:
@@ -31,7 +33,8 @@ class UnmaskedNormals : public GgxVisibleNormals<Real> {
   Real masking_;
 };
 
-/// All facets by their area, though the density is that of the visible ones. On record: the class of pbrt-v4 #215.
+/// Samples all facets by their area, with the density of the visible ones.
+/// On record: the class of pbrt-v4 #215.
 template <class Real>
 class UnweightedNormals : public GgxVisibleNormals<Real> {
  public:
@@ -43,8 +46,8 @@ class UnweightedNormals : public GgxVisibleNormals<Real> {
   GgxVisibleNormals<Real> all_;
 };
 
-/// Masking and shadowing as if they were independent, G1 G1, in one of the places that use it. On record: the class of
-/// mitsuba3 bcc10a142.
+/// Treats masking and shadowing as independent, G1 G1, in one of the places that use them.
+/// On record: the class of mitsuba3 bcc10a142.
 template <class Real>
 struct IndependentShadowing : Ggx<Real> {
   using Ggx<Real>::Ggx;
@@ -53,8 +56,9 @@ struct IndependentShadowing : Ggx<Real> {
   }
 };
 
-/// The mean loss without the cosine: too small, so that more is given back than was lost. On record: the class of
-/// pbrt-v4's BSDF energy test.
+/// The mean loss without the cosine. It is too small, so the surface returns more energy than it
+/// lost.
+/// On record: the class of pbrt-v4's BSDF energy test.
 struct PlainMeanLoss : GgxLoss {
   using GgxLoss::GgxLoss;
   double mean() const {

@@ -5,16 +5,16 @@
 #include <fairlight/estimators/stratified.h>
 #include <fairlight/validation/checks/padded_sets.h>
 
-/// Point sets whose numbers are not as random as they look.
+/// Point sets that are less random than they look.
 namespace fairlight::faults {
 
-/// Every replicate is scrambled alike, so more of them bring nothing.
+/// Scrambles every replicate alike, so more replicates add nothing.
 template <class Real>
 struct OneReplicateSobol : OwenSobol<Real> {
   OneReplicateSobol(const StreamKey& key, std::uint32_t, std::uint32_t n) : OwenSobol<Real>(key, 0, n) {}
 };
 
-/// Every dimension is scrambled with the same seeds: a point's dimensions depend on each other.
+/// Scrambles every dimension with the same seeds: the dimensions of a point depend on each other.
 template <class Real>
 struct OneScrambleSobol : OwenSobol<Real> {
   OneScrambleSobol(const StreamKey& key, std::uint32_t replicate, std::uint32_t n)
@@ -32,7 +32,7 @@ struct OneScrambleSobol : OwenSobol<Real> {
   Replicate::Words seeds;
 };
 
-/// The cells of every pair of dimensions are visited in the same order: the pairs depend on each other.
+/// Visits the cells of every pair of dimensions in the same order: the pairs depend on each other.
 template <class Real>
 struct OneOrderStratified : Stratified<Real> {
   OneOrderStratified(const StreamKey& key, std::uint32_t number, std::uint32_t n)
@@ -51,7 +51,7 @@ struct OneOrderStratified : Stratified<Real> {
   Replicate replicate;
 };
 
-/// Each number is the middle of its stratum, not anywhere in it.
+/// Puts each number in the middle of its stratum instead of anywhere in it.
 template <class Real>
 struct MidpointLatinHypercube : LatinHypercube<Real> {
   MidpointLatinHypercube(const StreamKey& key, std::uint32_t number, std::uint32_t n)
@@ -69,7 +69,7 @@ struct MidpointLatinHypercube : LatinHypercube<Real> {
   Replicate replicate;
 };
 
-/// Every vertex of a path has the same numbers.
+/// Gives every vertex of a path the same numbers.
 struct OneVertexSobol : PaddedSobol {
   using PaddedSobol::PaddedSobol;
 
@@ -79,7 +79,8 @@ struct OneVertexSobol : PaddedSobol {
   }
 };
 
-/// The points of a set come in the same order in every pair: each is right, but pairs depend on each other over a set.
+/// Gives the points of a set in the same order in every pair: each pair is right, but pairs depend
+/// on each other over a set.
 struct OneOrderSobol : PaddedSobol {
   OneOrderSobol(const StreamKey& of, std::uint32_t n) : PaddedSobol(of, n), key(of) {}
 
@@ -103,7 +104,8 @@ using OneVertexSobolSet = PaddedSet<Real, OneVertexSobol>;
 template <class Real>
 using OneOrderSobolSet = PaddedSet<Real, OneOrderSobol>;
 
-/// The first point is left out, and one more taken at the end: no net any more. On record: pytorch #32047, scikit-optimize #953.
+/// Leaves out the first point and adds one at the end, so that the set is no net.
+/// On record: pytorch #32047, scikit-optimize #953.
 template <class Real>
 struct SobolWithoutFirst : OwenSobol<Real> {
   using OwenSobol<Real>::OwenSobol;
@@ -113,7 +115,8 @@ struct SobolWithoutFirst : OwenSobol<Real> {
   }
 };
 
-/// All points are shifted alike, digit by digit, not scrambled. On record: openturns #2686.
+/// Shifts all points by the same digits instead of scrambling them.
+/// On record: openturns #2686.
 template <class Real>
 struct ShiftedSobol : OwenSobol<Real> {
   ShiftedSobol(const StreamKey& key, std::uint32_t number, std::uint32_t n)
@@ -132,7 +135,7 @@ struct ShiftedSobol : OwenSobol<Real> {
   Replicate replicate;
 };
 
-/// One jitter for all points of a replicate, not one for each.
+/// Uses one jitter for all points of a replicate, not one for each.
 template <class Real>
 struct OneJitterLatinHypercube : LatinHypercube<Real> {
   OneJitterLatinHypercube(const StreamKey& key, std::uint32_t number, std::uint32_t n)
@@ -149,21 +152,23 @@ struct OneJitterLatinHypercube : LatinHypercube<Real> {
   Replicate replicate;
 };
 
-/// Every pixel is given the numbers of the first. On record: the class of SORT #35.
+/// Gives every pixel the numbers of the first.
+/// On record: the class of SORT #35.
 struct NumbersOfOnePixel {
   static SampleBlock<double> of(const StreamKey& key, std::uint32_t, std::uint32_t path, std::uint32_t vertex) {
     return IndependentNumbers(key).block<double>({0, path, vertex}, 0);
   }
 };
 
-/// Every vertex of a path is given the numbers of the first. On record: OpenCL-path-tracing-tutorial-3-Part-2 #2.
+/// Gives every vertex of a path the numbers of the first.
+/// On record: OpenCL-path-tracing-tutorial-3-Part-2 #2.
 struct NumbersOfOneVertex {
   static SampleBlock<double> of(const StreamKey& key, std::uint32_t pixel, std::uint32_t path, std::uint32_t) {
     return IndependentNumbers(key).block<double>({pixel, path, 0}, 0);
   }
 };
 
-/// Numbers of 16 binary digits.
+/// Numbers with 16 binary digits.
 template <class Real>
 struct CoarseNumbers {
   using Scalar = Real;
@@ -179,7 +184,7 @@ struct CoarseNumbers {
   }
 };
 
-/// The first five numbers of a source again and again, as of a counter that stands still.
+/// Repeats the first five numbers of a source, like a counter that does not advance.
 template <class Source>
 class OneBlock {
  public:

@@ -5,22 +5,26 @@
 #include <fairlight/render/strategies.h>
 #include <fairlight/validation/faults/wrong_direct_light.h>
 
-/// Wrong path tracers, and scenes that answer their rays wrongly; each a bug that somebody shipped, or of its class.
+/// Wrong path tracers, and scenes that answer rays wrongly. Each is a bug that a project shipped,
+/// or of the class of one.
 namespace fairlight::faults {
 
-/// All terms up to a depth, called the whole series. On record: rpt #5.
+/// Takes all terms up to a depth for the whole series.
+/// On record: rpt #5.
 template <class Tracer, int depth>
 struct Truncated : Tracer {
   Truncated() : Tracer(depth) {}
 };
 
-/// A bounce more than was asked for. On record: pbrt-v3 #69.
+/// One bounce more than requested.
+/// On record: pbrt-v3 #69.
 template <class Tracer>
 struct OneBounceMore : Tracer {
   explicit OneBounceMore(int depth) : Tracer(depth + 1) {}
 };
 
-/// Samples are clamped to [0,1] before they are averaged. On record: Smerity/montelight-cpp.
+/// Clamps samples to [0,1] before averaging.
+/// On record: Smerity/montelight-cpp.
 template <class Tracer>
 struct Clamped : Tracer {
   template <class Real, class Scene, class Source>
@@ -31,7 +35,8 @@ struct Clamped : Tracer {
   }
 };
 
-/// Bright samples are taken for errors and left out. On record: the class of three-gpu-pathtracer #825.
+/// Drops bright samples as errors.
+/// On record: the class of three-gpu-pathtracer #825.
 template <class Tracer>
 struct WithoutOutliers : Tracer {
   template <class Real, class Scene, class Source>
@@ -41,7 +46,7 @@ struct WithoutOutliers : Tracer {
   }
 };
 
-/// A tracer whose rays ask a scene that answers wrongly.
+/// A tracer whose scene answers rays wrongly.
 template <class Tracer, template <class> class InScene>
 struct TracerIn : Tracer {
   template <class Real, class Scene, class Source>
@@ -50,7 +55,7 @@ struct TracerIn : Tracer {
   }
 };
 
-/// The scene itself, passed on.
+/// A scene that passes everything on unchanged.
 template <class Scene>
 struct SceneAsIs {
   const Scene& scene;
@@ -68,7 +73,8 @@ struct SceneAsIs {
   }
 };
 
-/// What a ray meets before 10^-k metres counts as the surface that it left, and the ray goes on. On record: SORT #29.
+/// Treats a hit nearer than 10^-k metres as one of the surface that the ray left, and ignores it.
+/// On record: SORT #29.
 template <int k>
 struct NearHitsIgnored {
   template <class Scene>
@@ -82,7 +88,8 @@ struct NearHitsIgnored {
   };
 };
 
-/// A shadow ray does not know which surface it leaves, and by rounding meets it again. On record: mitsuba3 #785.
+/// A shadow ray does not know its origin surface, and by rounding hits it again.
+/// On record: mitsuba3 #785.
 template <class Scene>
 struct ShadowedByItself : SceneAsIs<Scene> {
   template <class Real>
@@ -91,8 +98,9 @@ struct ShadowedByItself : SceneAsIs<Scene> {
   }
 };
 
-/// Shadow rays start a millimetre along, not to meet the surface that they leave: a length for scenes of some size. On record:
-/// GLSL-PathTracer #35.
+/// Starts shadow rays one millimetre from the surface, to miss it. This suits scenes of one size
+/// only.
+/// On record: GLSL-PathTracer #35.
 template <class Scene>
 struct ShadowsFromAMillimetre : SceneAsIs<Scene> {
   template <class Real>
@@ -103,7 +111,8 @@ struct ShadowsFromAMillimetre : SceneAsIs<Scene> {
   }
 };
 
-/// They start a thousandth of their distance from the world's origin along, wherever that is. On record: mitsuba3 #1962.
+/// Starts shadow rays at a distance of 1e-3 times that from the world origin.
+/// On record: mitsuba3 #1962.
 template <class Scene>
 struct ShadowsByTheOrigin : SceneAsIs<Scene> {
   template <class Real>
@@ -114,7 +123,8 @@ struct ShadowsByTheOrigin : SceneAsIs<Scene> {
   }
 };
 
-/// Surface 0 is taken for none. Of the class of an index that is asked whether it is true.
+/// Takes surface 0 for no surface.
+/// Of the class of an index used as a truth value.
 template <class Scene>
 struct SurfaceZeroIsNone : SceneAsIs<Scene> {
   template <class Real>
@@ -123,7 +133,9 @@ struct SurfaceZeroIsNone : SceneAsIs<Scene> {
   }
 };
 
-/// Of a normal two numbers are kept, and the third is taken for the positive root, as in a map of normals. Of the class of ByroRedux #3922.
+/// Stores two coordinates of a normal and takes the positive root for the third, as in a normal
+/// map.
+/// Of the class of ByroRedux #3922.
 template <class Scene>
 struct NormalsUpwards : SceneAsIs<Scene> {
   auto normal_at(const auto& surface, const auto& position) const {
@@ -134,7 +146,7 @@ struct NormalsUpwards : SceneAsIs<Scene> {
   }
 };
 
-/// Light is shared by mixed heuristics, whatever the other strategies.
+/// Shares light by mixed heuristics, with any other strategies.
 template <class Real>
 struct SharedByMixedHeuristics : DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics> {
   using Right = DirectLight<ChosenLuminaires<Real>, ChosenPoints, MixedHeuristics>;
@@ -142,7 +154,8 @@ struct SharedByMixedHeuristics : DirectLight<ChosenLuminaires<Real>, ChosenPoint
       : Right(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}) {}
 };
 
-/// Directions of little density are taken for errors, and count nothing. On record: dspbr-pt #5.
+/// Drops directions of low density as errors.
+/// On record: dspbr-pt #5.
 template <class Real>
 struct GrazingClipped : CosineHemisphere<Real> {
   Density<SolidAngle, Real> pdf(const Vec3<Real>& w) const {

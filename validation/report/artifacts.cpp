@@ -22,7 +22,7 @@ void make_folder(const std::string& folder) {
   if (error) throw std::runtime_error("cannot make the folder \"" + folder + "\" (" + error.message() + ")");
 }
 
-// "stem.end" where there is one such file, else "stem_i.end".
+// The name "stem.end" if there is only one such file (n <= 1), else "stem_i.end".
 std::string numbered(const std::string& stem, std::size_t i, std::size_t n, const std::string& end) {
   return n > 1 ? stem + "_" + std::to_string(i) + end : stem + end;
 }
@@ -61,7 +61,7 @@ std::string courses_csv(const std::vector<Evidence::Course>& courses) {
   return csv;
 }
 
-// The channels with the most evidence against them, at most three, in their order.
+// The channels with the most evidence against them, at most three, in order of their index.
 std::vector<std::size_t> worst_channels(const std::vector<Evidence::Course>& courses) {
   std::vector<std::size_t> channels(courses.size());
   std::iota(channels.begin(), channels.end(), std::size_t{0});
@@ -135,7 +135,7 @@ std::string write_intervals(const std::string& folder, const std::vector<Outcome
                                                                 : Colour{235, 140, 20};
     double top = axes.y(finding.interval.hi / finding.margin);
     double bottom = axes.y(finding.interval.lo / finding.margin);
-    if (finding.interval.lo / finding.margin >= 2) bottom += 20;  // off the chart: a mark at its end
+    if (finding.interval.lo / finding.margin >= 2) bottom += 20;  // beyond the chart: a mark at its end needs room
     if (finding.interval.hi / finding.margin <= -2) top -= 20;
     canvas.line(x, top, x, bottom, colour);
   }

@@ -7,20 +7,23 @@
 
 namespace fairlight {
 
-/// Throws std::runtime_error unless files can be put into the folder, which may still have to be made where there is one to hold it.
-/// Leaves nothing behind.
+/// Throws std::runtime_error unless files can be written to the folder. It may be missing if its
+/// parent exists. Leaves nothing behind.
 void check_folder(const std::string& folder);
 
-/// What was seen of one claim, as files in `folder`/`label`, which is made where it is not there; each file is written whole or not at all:
-///  * finding.json, the claim and what was found;
-///  * of a law, cells.csv and cells.exr: counts, what was expected, and p-values; and as pictures histogram.png and p_map.png;
-///  * of a mean, wealth.csv: the course of the test in every channel; and as pictures wealth.png, of at most three channels, those with
-///    the most evidence against them.
-/// Returns the pictures' paths. Throws std::runtime_error.
+/// Writes the evidence of one claim as files in `folder`/`label`, which it creates if needed:
+///  * finding.json, the claim and its finding;
+///  * for a law, cells.csv and cells.exr (counts, expected counts and p-values), histogram.png and
+///    p_map.png;
+///  * for a mean, wealth.csv (the course of the test in every channel) and wealth.png (the three
+///    channels with the most evidence against them).
+/// Writes each file whole or not at all, and returns the paths of the pictures. Throws
+/// std::runtime_error.
 std::vector<std::string> write_artifacts(const std::string& folder, const Outcome& outcome,
                                          const RunOptions& run_options);
 
-/// All intervals in units of their margins, as the picture `folder`/intervals.png, whose path it returns. Throws std::runtime_error.
+/// Draws all intervals in units of their margins as `folder`/intervals.png, and returns this path.
+/// Throws std::runtime_error.
 std::string write_intervals(const std::string& folder, const std::vector<Outcome>& outcomes);
 
 }  // namespace fairlight

@@ -10,7 +10,7 @@
 
 namespace fairlight {
 
-/// Where a chart is drawn: a rectangle of a canvas, with its axes.
+/// The rectangle of a canvas that a chart fills, with its axes.
 class Axes {
  public:
   struct Place {
@@ -26,7 +26,7 @@ class Axes {
   double x(double value) const {
     return place_.left + (place_.right - place_.left) * (value - across_.low) / (across_.high - across_.low);
   }
-  /// Values beyond the axis are drawn at its end.
+  /// The y coordinate of a value. Values beyond the axis are clamped to its end.
   double y(double value) const {
     const double inside = std::clamp(value, up_.low, up_.high);
     return place_.bottom - (place_.bottom - place_.top) * (inside - up_.low) / (up_.high - up_.low);
@@ -55,7 +55,7 @@ class Axes {
   static int pixel(double place) { return static_cast<int>(std::lround(place)); }
 
  private:
-  // Round values, 1, 2 or 5 times a power of ten apart, about so many.
+  // Round values for ticks: about `about` of them, with a step of 1, 2 or 5 times a power of ten.
   static std::vector<double> ticks(const Range& range, int about) {
     const double rough = (range.high - range.low) / about;
     const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -63,7 +63,7 @@ class Axes {
     std::vector<double> values;
     const double first = std::ceil(range.low / step - 1e-9);
     for (double k = first; k * step <= range.high + 1e-9 * step; ++k)
-      values.push_back(k * step + 0.0);  // no minus zero
+      values.push_back(k * step + 0.0);  // turns -0 into +0
     return values;
   }
 

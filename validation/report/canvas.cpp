@@ -38,7 +38,7 @@ void Canvas::dashes(int left, int right, int y, Colour colour) {
   for (int x = left; x < right; x += 10) rectangle(x, y, std::min(x + 5, right), y + 2, colour);
 }
 
-// Every dot of a letter is two pixels wide and high.
+// A dot of a letter is two pixels wide and two pixels high.
 void Canvas::text(int left, int top, const std::string& words, Colour colour) {
   for (char c : words) {
     const auto& columns = letters[c >= ' ' && c <= '~' ? static_cast<std::size_t>(c - ' ') : 0];

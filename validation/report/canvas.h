@@ -9,7 +9,8 @@ namespace fairlight {
 
 using Colour = std::array<std::uint8_t, 3>;
 
-/// A white sheet to draw charts on. What lies off the sheet is not drawn. Places are pixels, from the top left.
+/// A white image to draw charts on. Drawing outside it has no effect. Coordinates are in pixels
+/// from the top left.
 class Canvas {
  public:
   static constexpr int letter_width = 12;
@@ -22,13 +23,13 @@ class Canvas {
   Colour at(int x, int y) const;
 
   void rectangle(int left, int top, int right, int bottom,
-                 Colour colour);  ///< from left and top, up to right and bottom
+                 Colour colour);  ///< includes left and top, excludes right and bottom
   void line(double x0, double y0, double x1, double y1, Colour colour);  ///< two pixels wide
   void dashes(int left, int right, int y, Colour colour);
   void text(int left, int top, const std::string& words, Colour colour = {0, 0, 0});
-  void text_to(int right, int top, const std::string& words, Colour colour = {0, 0, 0});  ///< that ends there
+  void text_to(int right, int top, const std::string& words, Colour colour = {0, 0, 0});  ///< ends at `right`
 
-  /// As a PNG: whole, or std::runtime_error.
+  /// Writes a PNG, whole or not at all. Throws std::runtime_error if it cannot.
   void write(const std::string& path) const;
 
  private:

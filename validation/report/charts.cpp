@@ -23,7 +23,8 @@ struct Bar {
   double counted = 0;
 };
 
-// The draws along an axis: cell i belongs to bar `place(i)` of n, neighbours together where there are more than 128.
+// The draws along an axis: cell i belongs to bar `place(i)` of n. Neighbours share a bar if n is
+// above 128.
 template <class Place>
 std::vector<Bar> bars_along(const Evidence::Cells& cells, int n, const Place& place) {
   const std::size_t together = (static_cast<std::size_t>(n) + 127) / 128;
@@ -58,7 +59,8 @@ void draw_counts(Canvas& canvas, const Axes::Place& place, const std::vector<Bar
   }
 }
 
-// In parts of what is expected; a stroke reaches two standard deviations up and down.
+// Draws the relative differences of counted and expected draws. A vertical line shows two standard
+// deviations up and down.
 void draw_differences(Canvas& canvas, const Axes::Place& place, const std::vector<Bar>& bars,
                       const std::string& axis) {
   double most = 1e-9;
@@ -82,14 +84,14 @@ void draw_differences(Canvas& canvas, const Axes::Place& place, const std::vecto
   }
 }
 
-// White for a depth of 0, deep red or blue for 1.
+// White for a depth of 0; red (`more`) or blue for a depth of 1.
 Colour shade(double depth, bool more) {
   const auto fade = [depth](int to) { return static_cast<std::uint8_t>(std::lround(255 + depth * (to - 255))); };
   const Colour& end = more ? red : blue;
   return {fade(end[0]), fade(end[1]), fade(end[2])};
 }
 
-// Deep for p = 1e-8 and less.
+// The full colour for p <= 1e-8.
 Colour shade(const CellResidue& residue) {
   return shade(std::min(1.0, -std::log10(std::max(residue.p, 1e-300)) / 8), residue.deviations > 0);
 }
@@ -100,7 +102,7 @@ struct Process {
   Colour colour;
 };
 
-// Those that a claim is about: one-sided claims have two of the four.
+// The processes that a claim uses: all four, or two for a one-sided claim.
 std::vector<Process> processes_of(Sides sides) {
   std::vector<Process> processes;
   if (sides != Sides::not_below) processes.push_back({"too bright", &Wealth::above_reference, red});
@@ -152,7 +154,7 @@ Canvas histogram_chart(const std::string& title, const Evidence::Cells& cells) {
 
 Canvas p_map_chart(const std::string& title, const Evidence::Cells& cells) {
   const int across =
-      cells.columns == 1 ? std::min(cells.rows, 32) : cells.columns;  // a long line is broken into rows
+      cells.columns == 1 ? std::min(cells.rows, 32) : cells.columns;  // a long row wraps into several
   const int down = (cells.rows * cells.columns + across - 1) / across;
   const int size = std::max(1, std::min({40, 1200 / across, 1200 / down}));
   Canvas canvas(std::max(760, across * size + 40), down * size + 140);

@@ -7,25 +7,29 @@
 
 namespace fairlight {
 
-/// What the counts of a cell say against its probability.
+/// The count of a cell compared with its probability.
 struct CellResidue {
   double expected;
-  double deviations;  ///< standard deviations that the count is above (or below) what is expected
-  double p;           ///< two-sided p-value, by the binomial law: that of the test
+  double deviations;  ///< (count - expected) in standard deviations
+  double p;           ///< two-sided p-value by the binomial law, as in the test
 };
 CellResidue cell_residue(const Evidence::Cells& cells, std::size_t cell);
 
-/// The draws along both axes of the cells, as bars, against what is expected, a line; beneath them, by how much they differ, with two
-/// standard deviations. Where cells are very many, neighbours share a bar.
+/// Draws the counts along both axes of the cells as bars, and the expected counts as a line. Below,
+/// it draws the relative differences with two standard deviations. Neighbours share a bar if there
+/// are many cells.
 Canvas histogram_chart(const std::string& title, const Evidence::Cells& cells);
 
-/// The p-values of the cells, in their places: red where there are too many draws, blue where there are too few, deep for p below 1e-8.
+/// Draws the p-value of each cell at its place: red for too many draws, blue for too few, in full
+/// colour for p <= 1e-8.
 Canvas p_map_chart(const std::string& title, const Evidence::Cells& cells);
 
-/// The biases of tiles, in their places: red where they are too bright, blue where they are too dark, deep at twice the margin.
+/// Draws the bias of each tile at its place: red for too bright, blue for too dark, in full colour
+/// from twice the margin on.
 Canvas tile_map_chart(const std::string& title, const Evidence::Tiles& tiles);
 
-/// What the four processes have made of 1, against draws, with the levels that decide.
+/// Draws the wealth of the four processes, which starts at 1, against the number of draws, with the
+/// levels that decide.
 Canvas wealth_chart(const std::string& title, const Evidence::Course& course);
 
 }  // namespace fairlight

@@ -5,8 +5,8 @@
 
 namespace fairlight {
 
-/// The letters of dot-matrix displays, five columns wide: a byte a column from the left, its lowest bit at the top. From the space
-/// (32) to the tilde (126).
+/// A dot-matrix font from the space (32) to the tilde (126), five columns wide. A byte is a column,
+/// from the left; its lowest bit is at the top.
 inline constexpr std::array<std::array<std::uint8_t, 5>, 95> letters{{
     // clang-format off
     {0x00, 0x00, 0x00, 0x00, 0x00}, {0x00, 0x00, 0x5F, 0x00, 0x00}, {0x00, 0x07, 0x00, 0x07, 0x00}, {0x14, 0x7F, 0x14, 0x7F, 0x14},

@@ -8,18 +8,18 @@
 
 namespace fairlight {
 
-/// A run as a page for people.
+/// The contents of the page about a run.
 struct Page {
   const std::vector<Outcome>& outcomes;
   const RunOptions& run_options;
   double seconds;
-  std::string command;                                       ///< that runs it all again
-  std::string overview;                                      ///< the picture of all intervals; or empty
-  std::map<std::string, std::vector<std::string>> pictures;  ///< of a claim, by its label
+  std::string command;                                       ///< repeats the run
+  std::string overview;                                      ///< the path of the picture of all intervals, or empty
+  std::map<std::string, std::vector<std::string>> pictures;  ///< paths, by the label of the claim
 };
 
-/// The page as Markdown: the verdict, what was run and how to run it again, every failure with its pictures, then the table of all. Links
-/// are relative to the folder of `path`.
+/// The page as Markdown: the verdict, the claims that ran and how to run them again, every failure
+/// with its pictures, then the table of all claims. Links are relative to the folder of `path`.
 std::string markdown(const Page& page, const std::string& path);
 
 }  // namespace fairlight

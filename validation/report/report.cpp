@@ -10,7 +10,7 @@
 namespace fairlight {
 namespace {
 
-// The shortest digits that are this number and no other.
+// The shortest decimal text that reads back as this number.
 std::string digits(double value) { return nlohmann::json(value).dump(); }
 
 int rank(Verdict verdict) { return verdict == Verdict::biased ? 0 : verdict == Verdict::undecided ? 1 : 2; }

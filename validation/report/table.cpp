@@ -11,10 +11,10 @@
 namespace fairlight {
 namespace {
 
-// More rows than this that ask nothing of the reader are grouped.
+// Claims that have not failed are grouped if there are more than this.
 constexpr std::size_t many = 40;
 
-// Outcomes that share a row: one, or those whose claims have their first name in common.
+// The outcomes of one row: a single one, or those whose claims share the first part of their name.
 using Group = std::vector<const Outcome*>;
 
 std::string first_name(const Outcome& outcome) {
@@ -43,13 +43,14 @@ std::vector<Group> grouped(const std::vector<Outcome>& outcomes, Rows rows) {
   return groups;
 }
 
-// Whether an end bounds the bias of its claim: of one that holds, the end is open that it does not
-// exclude.
+// Whether this end of the interval bounds the bias. For a certified one-sided claim, the end on the
+// side that the claim does not exclude is infinite.
 bool bounds(const Outcome& outcome, double end) {
   return outcome.finding.verdict != Verdict::certified || std::isfinite(end);
 }
 
-// The widest of the intervals' ends; open only where that of every claim is.
+// The smallest interval that holds those of all outcomes. An end is open only if it is open for
+// every claim.
 Interval interval_of(const Group& group) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Interval all{infinite, -infinite};
@@ -117,10 +118,10 @@ void print_why(std::FILE* out, const Outcome& outcome, const RunOptions& run_opt
                replay(*outcome.claim, run_options).c_str());
 }
 
-// What rows of many have to say, once, and of which claims.
+// Prints each note of the grouped rows once, with the names of its claims.
 void print_notes(std::FILE* out, const std::vector<Group>& groups) {
   constexpr std::size_t most_names = 3;
-  std::map<std::string, std::vector<std::string>> claims;  // by their note
+  std::map<std::string, std::vector<std::string>> claims;  // by note
   for (const Group& group : groups) {
     if (group.size() == 1) continue;
     for (const Outcome* outcome : group) claims[outcome->finding.note].push_back(outcome->claim->name);

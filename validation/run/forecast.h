@@ -6,8 +6,8 @@
 
 namespace fairlight {
 
-/// How much of a run is done, in time: what each of its parts has taken, and what it is expected to take yet. Parts that have not
-/// begun are expected to be like the others.
+/// Estimates how much of a run is done, in time, from the seconds that each part has spent and
+/// still needs. It expects parts that have not begun to be like the others.
 class Forecast {
  public:
   explicit Forecast(std::size_t parts) : spent_(parts), left_(parts), begun_(parts, false) {}
@@ -20,7 +20,7 @@ class Forecast {
 
   double left(std::size_t part) const { return left_[part]; }
 
-  /// The part of all seconds that is spent, in [0,1].
+  /// The share of all seconds that is spent, in [0,1].
   double done() const {
     const double spent = std::accumulate(spent_.begin(), spent_.end(), 0.0);
     const double left = std::accumulate(left_.begin(), left_.end(), 0.0);

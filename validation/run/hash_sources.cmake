@@ -1,5 +1,6 @@
-# cmake -DROOT=... -DOUT=... -P hash_sources.cmake: writes a header with eight digits that name what the program is made of: the sources of its
-# four folders, by name and content.
+# cmake -DROOT=... -DOUT=... -P hash_sources.cmake
+# Writes a header with eight hexadecimal digits that identify the sources of the program: a hash of
+# the names and contents of the files in its four folders.
 set(all "")
 foreach(folder stats estimators render validation)
   file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)

@@ -15,10 +15,10 @@
 namespace fairlight {
 namespace {
 
-// How the next writer closes what a killed one left of a line.
+// What a writer appends to an incomplete last line, which a killed writer has left.
 constexpr std::string_view torn_end = " torn\n";
 
-// A file that is open and locked until the end of its scope.
+// A file that is open and locked until the end of the scope.
 class LockedFile {
  public:
   LockedFile(const std::string& path, int flags, int kind, const char* to_do) : lock_(path, flags, to_do) {
@@ -45,7 +45,7 @@ class LockedFile {
     return bytes;
   }
 
-  // All of the bytes at the end, by one call if the system takes them, or none.
+  // Appends all of the bytes or none, in one call if the system takes them.
   void append(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t n = write(file_, bytes.data(), bytes.size());
@@ -69,7 +69,7 @@ class LockedFile {
   off_t size_ = 0;
 };
 
-// Throws unless a file that is not empty begins as a ledger does.
+// Throws unless the file is empty or begins as a ledger does.
 void check_header(const std::string& path, std::string_view beginning) {
   const std::string_view stem = ledger_header.substr(0, ledger_header.find_last_of(' ') + 1);
   const std::string_view head = beginning.substr(0, ledger_header.size());

@@ -10,28 +10,30 @@
 
 namespace fairlight {
 
-/// A run of claims whose evidence goes to a ledger. A claim's verdict in it is `biased` when that of its runs is.
+/// A run of claims that adds its evidence to a ledger. A claim is also `biased` if the evidence of
+/// all its runs in the ledger says so.
 class LedgerRun {
  public:
-  /// Throws where the ledger cannot be read or written, or where it is not known which sources the claims rest on: before the run,
-  /// not after it.
+  /// Throws before the run if the ledger cannot be read or written, or if the sources of the claims
+  /// are unknown.
   LedgerRun(const std::string& path, const std::vector<const Claim*>& claims, const BuildPlaces& places);
 
-  /// Appends what the run saw, and reads what the ledger says now, with the runs of others that came between.
+  /// Appends the evidence of the run, then reads the ledger again, with the runs that others have
+  /// added meanwhile.
   void add(std::vector<Outcome>& outcomes, const RunOptions& run_options);
 
-  /// What the ledger certifies, in a line.
+  /// Prints in one line what the ledger certifies.
   void print(std::FILE* out) const;
 
  private:
   void judge(Outcome& outcome, const Trial& trial);
 
   std::string path_;
-  std::map<const Claim*, std::uint64_t> contents_;  // of its sources and its instruction set
+  std::map<const Claim*, std::uint64_t> contents_;  // hash of the sources and the instruction set
   Ledger ledger_;
-  std::size_t runs_ = 0;       // of the claim that has most
-  std::size_t kept_ = 0;       // claims that have any
-  std::vector<double> finer_;  // the run's margin over the ledger's, where that is finer
+  std::size_t runs_ = 0;       // the number of runs of the claim that has most
+  std::size_t kept_ = 0;       // the number of claims with an entry
+  std::vector<double> finer_;  // the run's margin divided by the ledger's, where the ledger's is finer
 };
 
 }  // namespace fairlight

@@ -11,13 +11,13 @@ namespace {
 
 constexpr double unit = 0x1p-10;
 
-// Rounded down: less wealth than there is shows less than it could, and nothing that is not so.
+// Rounds down, so that a reader sees no more evidence than there is.
 void put(std::string& line, double log_wealth) {
   line += ' ';
   line += std::isinf(log_wealth) ? "inf" : std::to_string(static_cast<long long>(std::floor(log_wealth / unit)));
 }
 
-// The words of a line, one after the other.
+// Reads the words of a line, one after the other.
 class Words {
  public:
   explicit Words(std::string_view line) : rest_(line) {}
@@ -59,7 +59,7 @@ std::set<std::uint64_t> seeds_of(Words& words) {
   return seeds;
 }
 
-// The ladders of all channels, which are equally long, to the end of the line.
+// Reads the margin grids of all channels, which have the same length, to the end of the line.
 EvidenceSum account_of(Words& words, bool run) {
   const int first = words.number<int>(words.next());
   const auto channels = words.number<std::size_t>(words.next());

@@ -10,12 +10,14 @@ namespace fairlight {
 
 inline constexpr std::string_view ledger_header = "fairlight ledger 1\n";
 
-/// An entry as a line, with its checksum and its end:
-///   run CLAIM CONTENT SEED DRAWS FIRST CHANNELS, then too bright, too dark, not brighter, not darker for each channel's rungs; or
-///   sum CLAIM CONTENT SEED,SEED,... DRAWS FIRST CHANNELS, with the greatest of the last two as well, after each rung's four.
+/// An entry as a line, with its checksum and line end. For each channel and each level of its
+/// margin grid, a run has four logarithms of wealth: above_reference, below_reference, not_brighter
+/// and not_darker. A sum of runs has two more: the greatest not_brighter and not_darker of a run.
+///   run CLAIM CONTENT SEED DRAWS FIRST CHANNELS ...
+///   sum CLAIM CONTENT SEED,SEED,... DRAWS FIRST CHANNELS ...
 std::string line_of(const LedgerEntry& entry);
 
-/// The entry of a line without its end; none where the line is damaged.
+/// Parses a line without its line end. Returns nothing if the line is damaged.
 std::optional<LedgerEntry> entry_of(std::string_view line);
 
 }  // namespace fairlight

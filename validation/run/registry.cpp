@@ -47,7 +47,7 @@ bool matches(const std::string& pattern, const std::string& name) {
   return fnmatch(pattern.c_str(), name.c_str(), 0) == 0 || name.starts_with(pattern + ".");
 }
 
-// What names claims without a wildcard: whole names, and their first dotted parts.
+// The patterns without a wildcard that name claims: whole names, and their first dotted parts.
 std::vector<std::string> patterns_of(const std::vector<Claim>& claims) {
   std::vector<std::string> patterns;
   for (const Claim& claim : claims) {

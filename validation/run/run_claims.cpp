@@ -12,7 +12,7 @@ namespace fairlight {
 namespace {
 
 constexpr double first_turn = 0.002;  // seconds
-constexpr double soon = 0.2;          // what ends so soon need not be sorted
+constexpr double soon = 0.2;          // seconds: a claim that ends within these goes on
 constexpr double between_words = 0.05;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -69,9 +69,10 @@ class Run {
     });
   }
 
-  // Runs a claim from its start, and for so many seconds at most from its first draws: what it does before them, such as a law's
-  // quadrature, says nothing of what they will cost. As that is to be done once more in another turn, a turn is at least as long; and where
-  // there is time for all claims, it goes on to a verdict that is near.
+  // Runs a claim from its start, for at most `most` seconds after its first draws. The time before
+  // them, such as for the quadrature of a law, says nothing of the cost of draws. A turn lasts at
+  // least as long as this time, since a second turn repeats that work. Where there is no time
+  // limit, a claim that is about to finish goes on.
   void take_turn(std::size_t i, double most) {
     const Clock clock;
     Turn turn{outcomes_[i].seconds};
@@ -86,7 +87,7 @@ class Run {
     outcomes_[i] = std::move(outcome);
   }
 
-  // What a test refuses, it says of its numbers, not of the claim that gave them.
+  // Adds the name of the claim to what its test refuses.
   static Finding check(const Claim& claim, const Trial& trial) try {
     return claim.check(trial);
   } catch (const std::invalid_argument& refused) {
@@ -94,11 +95,11 @@ class Run {
   }
 
   struct Turn {
-    double before;     // seconds that an earlier turn took
-    double first = 0;  // when it was first heard of
+    double before;     // seconds of the earlier turn
+    double first = 0;  // seconds at its first progress report
     double first_done = 0;
-    double told = 0;  // when the forecast was last told of it
-    double left = 0;  // seconds that it is expected to take yet
+    double told = 0;  // seconds at the last update of the forecast
+    double left = 0;  // expected seconds until its verdict
     bool ended = false;
   };
 
@@ -150,7 +151,7 @@ class Run {
   std::mutex mutex_;
   Forecast forecast_;
   std::vector<Outcome> outcomes_;
-  std::vector<char> ended_;  // without a verdict: not yet begun, or told to end
+  std::vector<char> ended_;  // whether it has no verdict: not yet begun, or stopped
 };
 
 }  // namespace

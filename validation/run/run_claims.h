@@ -12,53 +12,53 @@
 
 namespace fairlight {
 
-/// How a run of claims is to be made.
+/// The options of a run of claims.
 struct RunOptions {
   Manifest::Terms terms;
   int threads = 1;
-  std::vector<std::string> instructions{""};  ///< one run of every claim for each, which share the budget
+  std::vector<std::string> instructions{""};  ///< every claim runs once for each; they share the budget
   double seconds =
-      std::numeric_limits<double>::infinity();  ///< when they are over, what has no verdict is undecided
-  bool evidence = false;                        ///< whether outcomes keep what the tests saw
+      std::numeric_limits<double>::infinity();  ///< after these, a claim without a verdict is undecided
+  bool evidence = false;                        ///< whether outcomes keep the evidence of the tests
 };
 
-/// What a ledger certifies of a claim, by all of its runs together.
+/// What a ledger certifies of a claim, from all of its runs together.
 struct Standing {
   std::size_t runs;
-  double margin;  ///< infinite where it certifies none
+  double margin;  ///< infinity if it certifies none
 };
 
-/// What came of one claim.
+/// The result of one claim.
 struct Outcome {
   const Claim* claim;
   Finding finding;
   double seconds;
   Evidence evidence{};
-  bool out_of_time = false;  ///< that the time was up before its verdict
+  bool out_of_time = false;  ///< whether the time was up before its verdict
   std::optional<Standing> ledger{};
 };
 
-/// Biased, or undecided though there was time.
+/// Whether a claim is biased, or is undecided although there was time.
 bool failed(const Outcome& outcome);
 
-/// The whole registry on the terms of a run: a claim's share of the budget is the same whatever else runs,
-/// and is parted equally between the instruction sets.
-/// Throws as Manifest does: for a budget outside (0,1) here; for a name that is not in the registry, or a margin outside
-/// (0,1), when a trial is asked for.
+/// The whole registry on the terms of a run. The share of a claim in the budget is the same
+/// whatever else runs, and is divided equally between the instruction sets. Throws as Manifest
+/// does: here for a budget outside (0,1); when a trial is asked for, for a name that is not in the
+/// registry or a margin outside (0,1).
 Manifest manifest_of(const RunOptions& run_options);
 
-/// Runs the claims, each on one thread, and returns their outcomes in the same order. A finding is a function of the seed
-/// alone: neither the others, nor the threads, nor the order in which they run change it.
+/// Runs each claim on one thread, and returns the outcomes in the order of the claims. A finding
+/// depends on the seed alone, not on other claims, threads or the order in which claims run.
 ///
-/// Every claim is begun, for some milliseconds. Most of what is grossly wrong shows then, and so does what each will cost. The
-/// others then have their second turn, from the start: the longest first, so that all threads end together. Where the time is
-/// limited, those first whose bias seems not to be zero, then the shortest, so that as many as possible come to their verdict;
-/// what has none when the time is up is undecided, and its interval holds all the same.
-/// Throws std::invalid_argument unless the seconds are positive; and what a claim throws.
+/// Every claim first runs for some milliseconds, which shows gross errors and what each will cost.
+/// The others then run again from the start, the longest first, so that all threads end together.
+/// With a time limit, those with an apparent bias go first, then the shortest; when it ends, the
+/// rest are undecided, with intervals that hold. Throws std::invalid_argument unless the seconds
+/// are positive, and what a claim throws.
 std::vector<Outcome> run_claims(const std::vector<const Claim*>& claims, const RunOptions& run_options,
                                 const Progress& progress = {});
 
-/// The worst verdict of all.
+/// The worst verdict of all claims.
 Verdict overall(const std::vector<Outcome>& outcomes);
 
 }  // namespace fairlight

@@ -9,11 +9,11 @@
 
 namespace fairlight {
 
-/// The files that differ from a git revision, or are new, in a source folder. Throws std::runtime_error where there is no git, no
-/// repository or no such revision.
+/// The files of a source folder that differ from a git revision or are new. Throws
+/// std::runtime_error if there is no git, no repository or no such revision.
 std::set<std::string> files_changed_since(const std::string& revision, const std::string& source);
 
-/// Those of the claims that rest on such files, which it counts on standard output.
+/// The claims that depend on such files. Prints their number on standard output.
 std::vector<const Claim*> claims_since(const std::string& revision, const std::vector<const Claim*>& claims,
                                        const BuildPlaces& places);
 

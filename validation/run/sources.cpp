@@ -37,7 +37,8 @@ Sources::Sources(const BuildPlaces& places) : places_(places) {
   read_dependencies(listing.out);
 }
 
-// An object's name, then its files, indented, its own source first; then an empty line.
+// Parses the output of `ninja -t deps`: the name of an object, then its files, indented, with its
+// own source first; then an empty line.
 void Sources::read_dependencies(const std::string& listing) {
   std::istringstream lines(listing);
   std::set<std::string>* needs = nullptr;
@@ -71,7 +72,8 @@ void Sources::read_dependencies(const std::string& listing) {
   }
 }
 
-// A path that the build names, from the source folder: links are followed; empty for what lies elsewhere.
+// Converts a path of the build to one relative to the source folder, with links resolved. Returns
+// an empty string for a file elsewhere.
 std::string Sources::within_source(const std::string& path) {
   const auto [known, is_new] = names_.try_emplace(path);
   if (!is_new) return known->second;

@@ -7,28 +7,31 @@
 
 namespace fairlight {
 
-/// Where a program was built from what, and the program.
+/// The build folder of a program, its source folder, and the program.
 struct BuildPlaces {
   std::string build, source, program;
 };
 
-/// Those of this program, as its build knew them.
+/// The places of this program, as its build recorded them.
 BuildPlaces this_build();
 
-/// Which files a claim rests on, by what the build noted when it compiled them: what its file in claims/ includes, however
-/// indirectly; and of stats/ and render/, which are compiled by themselves, the sources behind the headers among these, with all that
-/// they include in turn. Behind a header is the source of its name, and any source of its folder that has no header of its own
-/// and includes it. Files are named from the source folder; others, such as the compiler's, are left out.
+/// The files that a claim depends on, from the dependencies that the build recorded: all that its
+/// file in claims/ includes, directly or not, and the sources behind the headers of stats/,
+/// estimators/ and render/ among these, with all that those include. The sources behind a header
+/// are the one with its name, and any in its folder that includes it and has no header of its own.
+/// Paths are relative to the source folder; files elsewhere, such as those of the compiler, are
+/// left out.
 class Sources {
  public:
-  /// Throws std::runtime_error where there is no such build, or no ninja to read it.
+  /// Throws std::runtime_error if there is no such build, or no ninja to read it.
   explicit Sources(const BuildPlaces& places);
 
-  /// Of the claims of a file of claims/. Throws std::runtime_error when the build does not know that file, or one of them is newer
-  /// than the program, which is then not made of it.
+  /// The files that the claims of a file in claims/ depend on. Throws std::runtime_error if the
+  /// build does not know that file, or if one of them is newer than the program, which is then out
+  /// of date.
   const std::set<std::string>& files_of(const std::string& claim_file);
 
-  /// A hash of their names and contents.
+  /// A hash of the names and contents of these files.
   std::uint64_t content(const std::string& claim_file);
 
  private:
@@ -38,9 +41,9 @@ class Sources {
   std::string read(const std::string& file) const;
 
   BuildPlaces places_;
-  std::map<std::string, std::set<std::string>> needs_;   // of a source, by what the build noted
-  std::map<std::string, std::string> names_;             // of paths, from the source folder; empty for others
-  std::map<std::string, std::set<std::string>> behind_;  // the headers that a source of a library stands behind
+  std::map<std::string, std::set<std::string>> needs_;   // the files of a source, as the build recorded them
+  std::map<std::string, std::string> names_;             // paths relative to the source folder, or empty
+  std::map<std::string, std::set<std::string>> behind_;  // the headers that a library source stands behind
   std::map<std::string, std::set<std::string>> files_;
 };
 

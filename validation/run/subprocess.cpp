@@ -24,7 +24,7 @@ std::string read_all(int file) {
   }
 }
 
-// Starts it with its output going to `output`; returns 0 or what was wrong.
+// Starts the program with its output going to `output`. Returns 0 or an errno.
 int start(const std::vector<std::string>& arguments, int output, pid_t& process) {
   std::vector<char*> pointers;
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));

@@ -6,12 +6,13 @@
 namespace fairlight {
 
 struct ProcessResult {
-  int status;       ///< exit status; 128 or more where a signal ended it
+  int status;       ///< exit status, or 128 plus the number of the signal that ended it
   std::string out;  ///< its standard output
 };
 
-/// Runs a program, which is looked for on the PATH, with these arguments, the first its own name: no shell reads them. It has no
-/// input, and what it says on standard error is dropped. Throws std::runtime_error when it cannot be started.
+/// Runs a program, found on the PATH. The first argument is its name; no shell reads the arguments.
+/// Its input is empty, and its standard error is discarded. Throws std::runtime_error if it cannot
+/// be started.
 ProcessResult run_process(const std::vector<std::string>& arguments);
 
 }  // namespace fairlight
