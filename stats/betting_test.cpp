@@ -177,8 +177,8 @@ void BettingTest::add(std::span<const double> draws) {
   blocks_.push_back(block);
   for (std::size_t i = 0; i < mixture_factors.size(); ++i) {
     const Gains refuting = refute(block, mixture_factors[i] * block.bet);
-    too_bright_[i].multiply(1 + refuting.up);
-    too_dark_[i].multiply(1 + refuting.down);
+    above_reference_[i].multiply(1 + refuting.up);
+    below_reference_[i].multiply(1 + refuting.down);
   }
   const Gains certifying = certify(block, block.bet, hypothesis_.margin);
   not_darker_.multiply(1 + certifying.up);
@@ -191,7 +191,7 @@ double BettingTest::refuting() const { return std::log(refuting_); }
 double BettingTest::certifying() const { return std::log(1 / beta_); }
 
 Wealth BettingTest::wealth() const {
-  return {log_mixture(too_bright_), log_mixture(too_dark_), not_brighter_.log(), not_darker_.log()};
+  return {log_mixture(above_reference_), log_mixture(below_reference_), not_brighter_.log(), not_darker_.log()};
 }
 
 // Uses each block's outlook, from before it was drawn.
@@ -223,7 +223,7 @@ void BettingTest::decide() {
     return std::ranges::any_of(wealth, [this](const LogProduct& part) { return part.reaches(refuting_); }) &&
            log_mixture(wealth) >= refuting();
   };
-  if ((above && refutes(too_bright_)) || (below && refutes(too_dark_))) {
+  if ((above && refutes(above_reference_)) || (below && refutes(below_reference_))) {
     verdict_ = Verdict::biased;
   } else if ((!above || not_brighter_.reaches(1 / beta_)) && (!below || not_darker_.reaches(1 / beta_))) {
     verdict_ = Verdict::certified;

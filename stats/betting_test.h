@@ -155,10 +155,10 @@ class BettingTest {
   Verdict verdict_ = Verdict::undecided;
   Moments moments_;
   std::vector<Block> blocks_;
-  std::array<LogProduct, 3> too_bright_{};  // U0, one per part of the mixture
-  std::array<LogProduct, 3> too_dark_{};    // D0
-  LogProduct not_darker_;                   // U1
-  LogProduct not_brighter_;                 // D1
+  std::array<LogProduct, 3> above_reference_{};  // U0, one per part of the mixture
+  std::array<LogProduct, 3> below_reference_{};  // D0
+  LogProduct not_darker_;                        // U1
+  LogProduct not_brighter_;                      // D1
 };
 
 }  // namespace fairlight

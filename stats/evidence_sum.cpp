@@ -10,7 +10,7 @@ namespace fairlight {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr int rungs_a_run = 12;  // finest margin = coarsest / 45
+constexpr int levels_a_run = 12;  // finest margin = coarsest / 45
 
 bool certifies(const EvidenceSum::Sum& sum, double threshold) {
   return sum.not_brighter >= threshold && sum.not_darker >= threshold;
@@ -18,22 +18,22 @@ bool certifies(const EvidenceSum::Sum& sum, double threshold) {
 
 }  // namespace
 
-double margin_of_rung(int rung) { return std::exp2(-0.5 * rung); }
+double margin_of_level(int level) { return std::exp2(-0.5 * level); }
 
 int first_level(double margin) {
-  return std::clamp(static_cast<int>(std::floor(-2 * std::log2(margin))), 0, rungs - rungs_a_run);
+  return std::clamp(static_cast<int>(std::floor(-2 * std::log2(margin))), 0, margin_levels - levels_a_run);
 }
 
-std::vector<int> rungs_of_run(double margin) {
-  std::vector<int> all(rungs_a_run);
+std::vector<int> levels_of_run(double margin) {
+  std::vector<int> all(levels_a_run);
   std::iota(all.begin(), all.end(), first_level(margin));
   return all;
 }
 
-std::vector<Wealth> wealth_at_rungs(const BettingTest& test, double margin, double scale) {
+std::vector<Wealth> wealth_at_levels(const BettingTest& test, double margin, double scale) {
   std::vector<Wealth> margin_grid;
-  for (int rung : rungs_of_run(margin)) {
-    Wealth wealth = test.wealth_for(margin_of_rung(rung) * scale);
+  for (int level : levels_of_run(margin)) {
+    Wealth wealth = test.wealth_for(margin_of_level(level) * scale);
     if (test.sides() == Sides::not_above) wealth = {wealth.above_reference, 0, wealth.not_brighter, unlimited};
     if (test.sides() == Sides::not_below) wealth = {0, wealth.below_reference, unlimited, wealth.not_darker};
     margin_grid.push_back(wealth);
@@ -41,8 +41,8 @@ std::vector<Wealth> wealth_at_rungs(const BettingTest& test, double margin, doub
   return margin_grid;
 }
 
-MarginGrid refuted_ladder(double margin, std::size_t channels) {
-  const std::vector<Wealth> channel(rungs_a_run, Wealth{unlimited, unlimited, 0, 0});
+MarginGrid refuted_grid(double margin, std::size_t channels) {
+  const std::vector<Wealth> channel(levels_a_run, Wealth{unlimited, unlimited, 0, 0});
   return {first_level(margin), std::vector(channels, channel)};
 }
 
@@ -106,7 +106,7 @@ bool EvidenceSum::biased(double alpha) const {
       mixture += weight * (std::exp(total.above_reference - top) + std::exp(total.below_reference - top));
     }
   }
-  const double shares = 2.0 * rungs * static_cast<double>(channels_.size());
+  const double shares = 2.0 * margin_levels * static_cast<double>(channels_.size());
   return !empty() && top + std::log(mixture / shares) >= -std::log(alpha);
 }
 
@@ -115,7 +115,7 @@ double EvidenceSum::certified_margin(double beta) const {
   for (std::size_t r = 0; !empty() && r < channels_[0].size(); ++r) {
     if (!std::ranges::all_of(channels_, [&](const auto& sums) { return certifies(sums[r], -std::log(beta)); }))
       break;
-    margin = margin_of_rung(first_ + static_cast<int>(r));
+    margin = margin_of_level(first_ + static_cast<int>(r));
   }
   return margin;
 }

@@ -8,8 +8,8 @@ namespace fairlight {
 
 /// The margin grid: evidence is summed at the relative margins 2^(-level/2) = 1, 0.71, 0.5, 0.35,
 /// ..., whatever the margins of the runs are.
-inline constexpr int rungs = 64;
-double margin_of_rung(int rung);
+inline constexpr int margin_levels = 64;
+double margin_of_level(int level);
 
 /// The evidence of one run for a claim: for each channel, the log wealths at a range of grid
 /// levels, from about the run's own margin down to 1/32 of it or less. For a one-sided claim the
@@ -23,13 +23,13 @@ struct MarginGrid {
 /// The grid levels of a run with this relative margin, in (0,1). The first is the finest grid
 /// margin that is at least the run's margin.
 int first_level(double margin);
-std::vector<int> rungs_of_run(double margin);
+std::vector<int> levels_of_run(double margin);
 
 /// The log wealths of a test at those levels. `scale` times a relative margin is the absolute one.
-std::vector<Wealth> wealth_at_rungs(const BettingTest& test, double margin, double scale);
+std::vector<Wealth> wealth_at_levels(const BettingTest& test, double margin, double scale);
 
 /// The evidence of a draw that the claim excludes: infinite wealth against the claim.
-MarginGrid refuted_ladder(double margin, std::size_t channels);
+MarginGrid refuted_grid(double margin, std::size_t channels);
 
 /// The evidence of independent runs. A product of independent e-values is an e-value, so the log
 /// wealths of the runs add up.

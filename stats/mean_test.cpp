@@ -79,18 +79,18 @@ void tell_listener(const Trial& trial, const std::vector<Reference>& references,
 }
 
 // Appends channels to the claim's margin grid; a claim may run several tests.
-void leave_ladder(const Trial& trial, const MarginGrid& margin_grid) {
+void leave_grid(const Trial& trial, const MarginGrid& margin_grid) {
   if (trial.evidence == nullptr) return;
   MarginGrid& all = trial.evidence->margin_grid;
   all.first = margin_grid.first;
   all.channels.insert(all.channels.end(), margin_grid.channels.begin(), margin_grid.channels.end());
 }
 
-MarginGrid ladder_of(const Trial& trial, const std::vector<BettingTest>& tests,
-                     const std::vector<Reference>& references) {
+MarginGrid grid_of(const Trial& trial, const std::vector<BettingTest>& tests,
+                   const std::vector<Reference>& references) {
   MarginGrid margin_grid{first_level(trial.margin), {}};
   for (std::size_t c = 0; c < tests.size(); ++c) {
-    margin_grid.channels.push_back(wealth_at_rungs(tests[c], trial.margin, references[c].scale));
+    margin_grid.channels.push_back(wealth_at_levels(tests[c], trial.margin, references[c].scale));
   }
   return margin_grid;
 }
@@ -206,7 +206,7 @@ std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Refere
       findings.push_back(with_token(trial, finding_of(tests[c], references[c], trial.margin)));
       findings.back().note = note;
     }
-    if (trial.evidence != nullptr) leave_ladder(trial, ladder_of(trial, tests, references));
+    if (trial.evidence != nullptr) leave_grid(trial, grid_of(trial, tests, references));
     tell_listener(trial, references, draw_block, worst_of(findings).draws);
     return findings;
   } catch (const BadDraw& bad) {
@@ -214,7 +214,7 @@ std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Refere
     finding.bias = rough_bias(references, draw_block);
     finding.draws = bad.draw() + 1;
     finding.note = bad.what();
-    leave_ladder(trial, refuted_ladder(trial.margin, references.size()));
+    leave_grid(trial, refuted_grid(trial.margin, references.size()));
     tell_listener(trial, references, draw_block, finding.draws);
     return std::vector(references.size(), with_token(trial, finding));
   }

@@ -235,7 +235,7 @@ TEST(PowerChoice, RefusesWeightsWhoseSumIsNotFinite) {
 }
 
 // A negative or NaN density does not count as "sample does not exist".
-TEST(OverExisting, GivesNothingForADensityOfZeroAndHidesNoOther) {
+TEST(SafeDivide, GivesNothingForADensityOfZeroAndHidesNoOther) {
   using P = Density<Area, double>;
   EXPECT_EQ(safe_divide(3.0, P(0)), 0);
   EXPECT_EQ(safe_divide(3.0, P(2)), 1.5);

@@ -124,7 +124,7 @@ TEST(SphereByCone, EndsBeyondTheRim) {
 // By area the density is t^2 / (4 pi r^2 cos), which is smallest for the line through the centre.
 // At the rim itself it would be infinite, and is 0 there; none of these directions rounds to it.
 TEST(SphereByArea, HasADensityInFloatsUpToTheRim) {
-  const SphereByArea<float> to_int(unit_sphere<float>());
+  const SphereByArea<float> whole_sphere(unit_sphere<float>());
   const SphereByVisibleHemisphere<float> half(unit_sphere<float>());
   for (double ratio : {0.5, 0.1, 1e-2, 1e-4, 1e-5, 1e-6}) {
     over_the_cap(ratio, [&](const FarSphere& sphere, const Vec3<float>& direction) {

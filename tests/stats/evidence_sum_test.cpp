@@ -14,23 +14,23 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 const Wealth nothing{0, 0, 0, 0};
 
-// One channel, of which the first rungs have this much.
+// One channel, of which the first margin_levels have this much.
 EvidenceSum run(int first, std::vector<Wealth> margin_grid) {
   return EvidenceSum(MarginGrid{first, {std::move(margin_grid)}});
 }
 Wealth shows(double log_wealth) { return {0, 0, log_wealth, log_wealth}; }
 
 TEST(Rungs, HalveInTwoStepsAndBeginAtTheRunsMargin) {
-  EXPECT_EQ(margin_of_rung(0), 1);
-  EXPECT_EQ(margin_of_rung(2), 0.5);
-  EXPECT_EQ(margin_of_rung(20), 0x1p-10);
+  EXPECT_EQ(margin_of_level(0), 1);
+  EXPECT_EQ(margin_of_level(2), 0.5);
+  EXPECT_EQ(margin_of_level(20), 0x1p-10);
   EXPECT_EQ(first_level(0.5), 2);
   EXPECT_EQ(first_level(0.49), 2);
   EXPECT_EQ(first_level(0.51), 1);
   EXPECT_EQ(first_level(0.999), 0);
-  EXPECT_EQ(rungs_of_run(1e-3).front(), 19);
-  EXPECT_LT(margin_of_rung(rungs_of_run(1e-3).back()), 1e-3 / 32);
-  EXPECT_LT(rungs_of_run(1e-300).back(), rungs);
+  EXPECT_EQ(levels_of_run(1e-3).front(), 19);
+  EXPECT_LT(margin_of_level(levels_of_run(1e-3).back()), 1e-3 / 32);
+  EXPECT_LT(levels_of_run(1e-300).back(), margin_levels);
 }
 
 TEST(EvidenceSum, CertifiesNothingBeforeARun) {
@@ -71,14 +71,14 @@ TEST(EvidenceSum, NeedsEveryChannelAndBothSides) {
   EXPECT_EQ(run(2, {{0, 0, 5, unlimited}}).certified_margin(0.01), 0.5);
 }
 
-// The mixture of two sides and 64 rungs, of which the first stands for those above it too: 3 of 128 parts.
+// The mixture of two sides and 64 margin_levels, of which the first stands for those above it too: 3 of 128 parts.
 TEST(EvidenceSum, MixesItsEvidenceOfBias) {
   const double alpha = 1e-6;
   const double enough = std::log(128 / 3.0 / alpha);
   EXPECT_FALSE(run(2, {{enough - 0.01, 0, 0, 0}}).biased(alpha));
   EXPECT_TRUE(run(2, {{enough + 0.01, 0, 0, 0}}).biased(alpha));
   EXPECT_TRUE(run(2, {{0, enough + 0.01, 0, 0}}).biased(alpha));
-  EXPECT_FALSE(run(2, {nothing, {0, enough + 1, 0, 0}}).biased(alpha)) << "a rung that is one part";
+  EXPECT_FALSE(run(2, {nothing, {0, enough + 1, 0, 0}}).biased(alpha)) << "a level that is one part";
   EXPECT_TRUE(run(2, {nothing, {0, enough + 1.1, 0, 0}}).biased(alpha));
   EvidenceSum half = run(2, {{enough / 2 + 0.01, 0, 0, 0}});
   half.append(half);
@@ -86,12 +86,12 @@ TEST(EvidenceSum, MixesItsEvidenceOfBias) {
 }
 
 TEST(EvidenceSum, IsBiasedForGoodByADrawThatIsRuledOut) {
-  EvidenceSum evidence_sum(refuted_ladder(0.1, 2));
+  EvidenceSum evidence_sum(refuted_grid(0.1, 2));
   evidence_sum.append(EvidenceSum(MarginGrid{6, {{{-50, -50, 9, 9}}, {{-50, -50, 9, 9}}}}));
   EXPECT_TRUE(evidence_sum.biased(1e-12));
 }
 
-// A run says of coarser rungs what it says of its first, and of finer ones than its last nothing.
+// A run says of coarser margin_levels what it says of its first, and of finer ones than its last nothing.
 TEST(EvidenceSum, AddsUpRunsOfUnlikeMargins) {
   EvidenceSum coarse = run(2, {shows(3), shows(3)});
   coarse.append(run(6, {shows(3), shows(3)}));
@@ -101,7 +101,7 @@ TEST(EvidenceSum, AddsUpRunsOfUnlikeMargins) {
   fine.append(run(2, {shows(3), shows(3)}));
   EXPECT_DOUBLE_EQ(fine.certified_margin(0.01), std::sqrt(0.125));
   fine.append(run(6, {shows(3), shows(3)}));
-  EXPECT_DOUBLE_EQ(fine.certified_margin(0.01), margin_of_rung(7));
+  EXPECT_DOUBLE_EQ(fine.certified_margin(0.01), margin_of_level(7));
 }
 
 TEST(EvidenceSum, DoesNotMindHowItsRunsAreGrouped) {
@@ -164,9 +164,9 @@ TEST(WealthAtRungs, CountsWhatIsNotClaimedAsShown) {
   const auto margin_grid = [](Sides sides) {
     BettingTest test({.mean = 0.5, .margin = 0.1, .lower = 0, .upper = 1, .sides = sides}, 1e-6, 0.01);
     test.add(std::vector{0.9});
-    return wealth_at_rungs(test, 0.2, 0.5);
+    return wealth_at_levels(test, 0.2, 0.5);
   };
-  ASSERT_EQ(margin_grid(Sides::both).size(), rungs_of_run(0.2).size());
+  ASSERT_EQ(margin_grid(Sides::both).size(), levels_of_run(0.2).size());
   EXPECT_GT(margin_grid(Sides::both)[0].above_reference, 0);
   EXPECT_GT(margin_grid(Sides::not_above)[0].above_reference, 0);
   EXPECT_EQ(margin_grid(Sides::not_above)[0].below_reference, 0);
@@ -192,7 +192,7 @@ TEST(TestMeans, LeavesALadderThatShowsWhatItCertified) {
   const MarginGrid margin_grid = ladder_of_test(0, 0.01, {{1, 0, 2}, {1, 0.5, 3}});
   ASSERT_EQ(margin_grid.channels.size(), 2u);
   EXPECT_EQ(margin_grid.first, first_level(0.01));
-  EXPECT_LE(EvidenceSum(margin_grid).certified_margin(0.01), margin_of_rung(margin_grid.first));
+  EXPECT_LE(EvidenceSum(margin_grid).certified_margin(0.01), margin_of_level(margin_grid.first));
   EXPECT_FALSE(EvidenceSum(margin_grid).biased(1e-3));
 }
 

@@ -11,7 +11,7 @@ using testing::TemporaryFolder;
 
 const Claim& claim() { return *select_claims({"stream.product"}).front(); }
 
-// A run that certified its margin, of which the first rungs show this much of a bias and of none.
+// A run that certified its margin, of which the first margin_levels show this much of a bias and of none.
 std::vector<Outcome> outcome_of(double above_reference, double shown) {
   Outcome outcome{&claim(), {}, 0};
   outcome.finding.verdict = Verdict::certified;

@@ -19,7 +19,7 @@ using testing::write_file;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// A run of one channel whose first rung, the margin 1/2, shows this much on both sides.
+// A run of one channel whose first level, the margin 1/2, shows this much on both sides.
 LedgerEntry run(const std::string& claim, std::uint64_t seed, double shown, std::uint64_t content = 7) {
   return {claim,
           content,

@@ -200,7 +200,7 @@ TEST(PacketControlVariate, LeavesOneLadderAChannelAndFewDrawsInDouble) {
     const double margin = EvidenceSum(evidence.margin_grid).certified_margin(trial.beta);
     if (bias == 0) {
       EXPECT_EQ(finding.verdict, Verdict::certified);
-      EXPECT_LE(margin, margin_of_rung(first_level(fine.margin)));
+      EXPECT_LE(margin, margin_of_level(first_level(fine.margin)));
     } else {
       EXPECT_EQ(finding.verdict, Verdict::biased);
       EXPECT_GT(margin, fine.margin);

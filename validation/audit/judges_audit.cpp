@@ -79,7 +79,7 @@ struct Failures {
   std::vector<char> stopped, planned;
 };
 
-std::vector<char> opinions_on(const std::vector<std::vector<double>>& channels, std::uint64_t n,
+std::vector<char> failures_on(const std::vector<std::vector<double>>& channels, std::uint64_t n,
                               const std::vector<double>& variances) {
   JudgedDraws draws{{}, variances};
   for (const auto& channel : channels) draws.channels.push_back(std::span(channel).first(n));
@@ -88,18 +88,18 @@ std::vector<char> opinions_on(const std::vector<std::vector<double>>& channels, 
   return failed;
 }
 
-Failures opinions_of(const Claim& claim, Trial trial, const Plan& plan) {
-  Failures opinions;
+Failures failures_of(const Claim& claim, Trial trial, const Plan& plan) {
+  Failures failures;
   Evidence evidence;
   evidence.listener = [&](const std::vector<Reference>& references, const DrawBlock& draw_block, std::uint64_t n) {
     const auto channels = first_draws(references, draw_block, std::max(n, plan.draws));
-    opinions.stopped = opinions_on(channels, n, plan.variances);
-    opinions.planned = opinions_on(channels, plan.draws, plan.variances);
+    failures.stopped = failures_on(channels, n, plan.variances);
+    failures.planned = failures_on(channels, plan.draws, plan.variances);
   };
   trial.evidence = &evidence;
   const bool failed = claim.check(trial).verdict != Verdict::certified;
-  opinions.stopped.at(0) = opinions.planned.at(0) = failed ? 1 : 0;
-  return opinions;
+  failures.stopped.at(0) = failures.planned.at(0) = failed ? 1 : 0;
+  return failures;
 }
 
 // The results of one seed of a row.
@@ -113,23 +113,23 @@ void count(Share& share, bool failed) {
   ++share.of;
 }
 
-// Gathers the results of one judge. Those of (row, seed) are in hearings[row * seeds + seed].
+// Gathers the results of one judge. Those of (row, seed) are in results[row * seeds + seed].
 JudgeOutcome outcome_of(std::size_t judge, std::string name, const std::vector<Row>& rows,
-                        const std::vector<SeedResult>& hearings, std::size_t seeds) {
+                        const std::vector<SeedResult>& results, std::size_t seeds) {
   JudgeOutcome outcome{std::move(name)};
   std::vector<char> suite(seeds);
   std::map<const Fault*, bool> killed;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     std::vector<std::size_t> times(rows[r].wrong.size());
     for (std::size_t s = 0; s < seeds; ++s) {
-      const SeedResult& hearing = hearings[r * seeds + s];
-      count(outcome.alarms, hearing.right.stopped[judge] != 0);
-      count(outcome.alarms_planned, hearing.right.planned[judge] != 0);
-      suite[s] |= hearing.right.planned[judge];
+      const SeedResult& result = results[r * seeds + s];
+      count(outcome.alarms, result.right.stopped[judge] != 0);
+      count(outcome.alarms_planned, result.right.planned[judge] != 0);
+      suite[s] |= result.right.planned[judge];
       for (std::size_t w = 0; w < times.size(); ++w) {
-        count(outcome.kills, hearing.wrong[w].stopped[judge] != 0);
-        count(outcome.kills_planned, hearing.wrong[w].planned[judge] != 0);
-        times[w] += hearing.wrong[w].planned[judge] != 0 ? 1 : 0;
+        count(outcome.kills, result.wrong[w].stopped[judge] != 0);
+        count(outcome.kills_planned, result.wrong[w].planned[judge] != 0);
+        times[w] += result.wrong[w].planned[judge] != 0 ? 1 : 0;
       }
     }
     for (std::size_t w = 0; w < times.size(); ++w) {
@@ -146,13 +146,13 @@ JudgeOutcome outcome_of(std::size_t judge, std::string name, const std::vector<R
 }
 
 JudgesOutcome summary(const std::vector<Row>& rows, const std::vector<Plan>& plans,
-                      const std::vector<SeedResult>& hearings, std::size_t seeds) {
+                      const std::vector<SeedResult>& results, std::size_t seeds) {
   JudgesOutcome outcome{{}, static_cast<int>(rows.size()), 0, 0};
   for (const Row& row : rows) outcome.cells += static_cast<int>(row.wrong.size());
   for (const Plan& plan : plans) outcome.planned_draws += static_cast<double>(plan.draws);
-  outcome.judges.push_back(outcome_of(0, "fairlight", rows, hearings, seeds));
+  outcome.judges.push_back(outcome_of(0, "fairlight", rows, results, seeds));
   for (std::size_t j = 0; j < judges().size(); ++j) {
-    outcome.judges.push_back(outcome_of(j + 1, judges()[j].name, rows, hearings, seeds));
+    outcome.judges.push_back(outcome_of(j + 1, judges()[j].name, rows, results, seeds));
   }
   return outcome;
 }
@@ -164,29 +164,29 @@ JudgesOutcome audit_judges(const RunOptions& run_options, int seeds, const Progr
   const Manifest manifest = manifest_of(run_options);
   const auto per_row = static_cast<std::size_t>(seeds);
   std::vector<Plan> plans(rows.size());
-  std::vector<SeedResult> hearings(rows.size() * per_row);
+  std::vector<SeedResult> results(rows.size() * per_row);
   std::mutex mutex;
   std::size_t done = 0;
   const auto tell = [&] {
     const std::lock_guard lock(mutex);
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(plans.size() + hearings.size()));
+    if (progress) progress(static_cast<double>(++done) / static_cast<double>(plans.size() + results.size()));
   };
   for_each_unit(static_cast<int>(rows.size()), run_options.threads, [&](int unit) {
     const auto r = static_cast<std::size_t>(unit);
     plans[r] = plan_of(rows[r], manifest.trial(rows[r].right->name));
     tell();
   });
-  for_each_unit(static_cast<int>(hearings.size()), run_options.threads, [&](int unit) {
+  for_each_unit(static_cast<int>(results.size()), run_options.threads, [&](int unit) {
     const auto i = static_cast<std::size_t>(unit);
     const Row& row = rows[i / per_row];
     const Plan& plan = plans[i / per_row];
     Trial trial = manifest.trial(row.right->name);
     trial.seed += 1 + i % per_row;
-    hearings[i].right = opinions_of(*row.right, trial, plan);
-    for (const Claim* wrong : row.wrong) hearings[i].wrong.push_back(opinions_of(*wrong, trial, plan));
+    results[i].right = failures_of(*row.right, trial, plan);
+    for (const Claim* wrong : row.wrong) results[i].wrong.push_back(failures_of(*wrong, trial, plan));
     tell();
   });
-  return summary(rows, plans, hearings, per_row);
+  return summary(rows, plans, results, per_row);
 }
 
 }  // namespace fairlight

@@ -57,10 +57,9 @@ VarianceArm replicates_of(const std::string& name, const Draw& draw, double lowe
 /// Tests Var a <= ratio Var b, by the test of means on squared differences of draws. The note gives
 /// the variance ratio and its interval, which has no lower end where the claim holds.
 inline Finding check_variances(const Trial& trial, double ratio, const VarianceArm& a, const VarianceArm& b) {
-  const auto indexed = [&](const VarianceArm& contender, const std::string& purpose) {
+  const auto indexed = [&](const VarianceArm& arm, const std::string& purpose) {
     const StreamKey key(trial.seed, trial.claim + purpose);
-    return BoundedEstimator{[key, draw = contender.draw](std::uint64_t i) { return draw(key, i); }, contender.lower,
-                            contender.upper};
+    return BoundedEstimator{[key, draw = arm.draw](std::uint64_t i) { return draw(key, i); }, arm.lower, arm.upper};
   };
   Finding finding = test_variance_ratio(trial, ratio, indexed(a, " a"), indexed(b, " b"));
   if (!finding.note.empty()) return finding;

@@ -28,7 +28,7 @@ Claim all_against_one() {
 namespace detail {
 
 template <class Estimator>
-VarianceArm contender(const std::string& name, const Estimator& estimator) {
+VarianceArm arm(const std::string& name, const Estimator& estimator) {
   const Bound bound = estimator.bound();
   const double slack = 1e-12 * std::max(std::abs(bound.lower), std::abs(bound.upper));
   return independent_draws(
@@ -39,7 +39,7 @@ VarianceArm contender(const std::string& name, const Estimator& estimator) {
 
 /// Combinators on 2 pi z^2, with z uniform in [0,1): Var z^2 = 1/5 - 1/9 = 4/45.
 inline VarianceArm one_height_squared() {
-  return detail::contender("one run of it", height_squared()(std::type_identity<double>{}));
+  return detail::arm("one run of it", height_squared()(std::type_identity<double>{}));
 }
 using HeightSquared = decltype(height_squared()(std::type_identity<double>{}));
 
@@ -48,7 +48,7 @@ template <template <class> class Split = Splitting>
 Claim splitting_variance() {
   const Split<HeightSquared> three(height_squared()(std::type_identity<double>{}), 3);
   return variance_claim("variance.splitting", {"Splitting"}, "elementary; Arvo and Kirk 1990", 1.0 / 3, 20,
-                        detail::contender("an estimator split in three", three), one_height_squared());
+                        detail::arm("an estimator split in three", three), one_height_squared());
 }
 
 /// The control variate 3/4 z. Var z = 1/12 and Cov(z^2, z) = 1/4 - 1/6 = 1/12, so the variance is
@@ -57,8 +57,8 @@ template <template <class, class> class Variate = ControlVariate>
 Claim control_variate_variance() {
   return variance_claim("variance.control_variate", {"ControlVariate"}, "elementary; Hammersley and Handscomb 1964",
                         31.0 / 256, 20,
-                        detail::contender("cos^2 with cos for a control",
-                                          controlled_height_squared<Variate>()(std::type_identity<double>{})),
+                        detail::arm("cos^2 with cos for a control",
+                                    controlled_height_squared<Variate>()(std::type_identity<double>{})),
                         one_height_squared());
 }
 
@@ -69,7 +69,7 @@ template <template <class> class Strata = StratifiedMean>
 Claim stratified_mean_variance() {
   const Strata<HeightSquared> grid(height_squared()(std::type_identity<double>{}), 3, 2);
   return variance_claim("variance.stratified", {"StratifiedMean"}, "elementary; Cochran 1977, chapter 5",
-                        11.0 / 486, 20, detail::contender("a grid of 3 by 2", grid), one_height_squared());
+                        11.0 / 486, 20, detail::arm("a grid of 3 by 2", grid), one_height_squared());
 }
 
 }  // namespace fairlight

@@ -60,7 +60,7 @@ std::set<std::uint64_t> seeds_of(Words& words) {
 }
 
 // Reads the margin grids of all channels, which have the same length, to the end of the line.
-EvidenceSum account_of(Words& words, bool run) {
+EvidenceSum evidence_sum_of(Words& words, bool run) {
   const int first = words.number<int>(words.next());
   const auto channels = words.number<std::size_t>(words.next());
   std::vector<EvidenceSum::Sum> sums;
@@ -76,13 +76,13 @@ EvidenceSum account_of(Words& words, bool run) {
   }
   if (!words.good() || channels == 0 || sums.empty() || sums.size() % channels != 0) return {};
   const std::size_t length = sums.size() / channels;
-  if (first < 0 || static_cast<std::size_t>(first) + length > static_cast<std::size_t>(rungs)) return {};
-  std::vector<std::vector<EvidenceSum::Sum>> ladders;
+  if (first < 0 || static_cast<std::size_t>(first) + length > static_cast<std::size_t>(margin_levels)) return {};
+  std::vector<std::vector<EvidenceSum::Sum>> grids;
   for (std::size_t c = 0; c < channels; ++c) {
     const auto begin = sums.begin() + static_cast<std::ptrdiff_t>(c * length);
-    ladders.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(length));
+    grids.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(length));
   }
-  return {first, std::move(ladders)};
+  return {first, std::move(grids)};
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ std::optional<LedgerEntry> entry_of(std::string_view line) {
   entry.content = words.number<std::uint64_t>(words.next(), 16);
   entry.seeds = seeds_of(words);
   entry.draws = words.number<std::uint64_t>(words.next());
-  entry.evidence_sum = account_of(words, kind == "run");
+  entry.evidence_sum = evidence_sum_of(words, kind == "run");
   if (!words.good() || (kind != "run" && kind != "sum") || entry.seeds.empty() || entry.evidence_sum.empty())
     return {};
   return entry;
