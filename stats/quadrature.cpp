@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 
 #include <fairlight/stats/quadrature.h>
 
@@ -22,6 +23,10 @@ Integral integrate_rectangle(const std::function<double(double x, double y)>& f,
   result.value = Rule::integrate(strip, x0, x1, depth, tolerance, &result.error);
   result.error += inner_error * (x1 - x0);
   return result;
+}
+
+double integrate_with_steep_ends(const std::function<double(double x)>& f, double a, double b) {
+  return boost::math::quadrature::tanh_sinh<double>().integrate(f, a, b);
 }
 
 }  // namespace fairlight

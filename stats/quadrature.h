@@ -16,4 +16,8 @@ struct Integral {
 Integral integrate_rectangle(const std::function<double(double x, double y)>& f, double x0, double x1, double y0,
                              double y1);
 
+/// The integral of f over [a, b], whose derivatives may be infinite at the ends.
+/// Source: double exponential (tanh-sinh); Boost.Math.
+double integrate_with_steep_ends(const std::function<double(double x)>& f, double a, double b);
+
 }  // namespace fairlight

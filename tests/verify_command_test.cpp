@@ -1,3 +1,5 @@
+#include <set>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <support/program.h>
@@ -24,6 +26,23 @@ TEST(Verify, VerifiesAndReplays) {
     again["seconds"] = claim["seconds"];
     EXPECT_EQ(again, claim);
   }
+}
+
+TEST(Verify, CertifiesEveryInstructionSetThatTheMachineHas) {
+  const TemporaryFolder folder;
+  const Result run = fairlight("verify pick.one.dice --margin 0.05 --instructions all --json a.json", folder);
+  ASSERT_EQ(run.status, 0) << run.error;
+  const auto claims = nlohmann::json::parse(read_file(folder / "a.json"))["claims"];
+  std::set<std::string> sets;
+  for (const auto& claim : claims) sets.insert(claim["instructions"].get<std::string>());
+  EXPECT_GE(sets.size(), 1u);
+  EXPECT_EQ(claims.size() % sets.size(), 0u);
+  const std::string replay = claims[0]["replay"].get<std::string>().substr(std::string("fairlight ").size());
+  ASSERT_EQ(fairlight(replay + " --json b.json", folder).status, 0) << replay;
+  auto again = nlohmann::json::parse(read_file(folder / "b.json"))["claims"][0];
+  again["seconds"] = claims[0]["seconds"];
+  EXPECT_EQ(again, claims[0]) << "a claim of a run by all is replayed alone";
+  EXPECT_EQ(fairlight("verify pick.one.dice --instructions mmx", folder).status, 2);
 }
 
 const std::string a_run = "verify pick.all.dice.latin --margin 0.05 ";

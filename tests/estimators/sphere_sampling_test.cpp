@@ -56,7 +56,7 @@ TEST(SphereByArea, HasNoSampleOnTheFarSide) {
 
 TEST(SphereByVisibleHemisphere, IsTwiceAsDenseOutsideAndTheSameInside) {
   const SphereByVisibleHemisphere<double> half(above);
-  const SphereByArea<double> to_int(above);
+  const SphereByArea<double> whole(above);
   const Vec3<double> up(0, 0, 1);
   EXPECT_DOUBLE_EQ(half.pdf(origin, up).value(), 2 * whole.pdf(origin, up).value());
   EXPECT_DOUBLE_EQ(half.pdf({0, 1, 5}, up).value(), whole.pdf({0, 1, 5}, up).value());

@@ -21,7 +21,7 @@ TEST(Film, HoldsMeanVarianceAndCountOfAPixel) {
 }
 
 RC_GTEST_PROP(Film, IsTheSameForEverySplitOfItsSamples, (std::vector<std::uint8_t> owners)) {
-  Film to_int(2, 2);
+  Film whole(2, 2);
   std::vector<Film> parts(4, Film(2, 2));
   for (std::size_t i = 0; i < owners.size(); ++i) {
     const double x = 1.0 / static_cast<double>(3 * i + 1);

@@ -47,6 +47,22 @@ TEST(LedgerRun, CallsAClaimBiasedWhenItsRunsTogetherAre) {
   }
 }
 
+// What the packets of one instruction set show says nothing of those of another.
+TEST(LedgerRun, KeepsInstructionSetsApart) {
+  Claim sse2 = claim(), avx2 = claim();
+  sse2.instructions = "sse2";
+  avx2.instructions = "avx2";
+  const TemporaryFolder folder;
+  LedgerRun run(folder / "l", {&sse2, &avx2}, this_build());
+  auto outcomes = outcome_of(0, 3);
+  outcomes.push_back(outcomes[0]);
+  outcomes[0].claim = &sse2;
+  outcomes[1].claim = &avx2;
+  run.add(outcomes, with_seed(1));
+  EXPECT_EQ(outcomes[0].ledger->runs, 1);
+  EXPECT_EQ(outcomes[1].ledger->runs, 1);
+}
+
 TEST(LedgerRun, SaysHowMuchFinerAMarginIsCertified) {
   const TemporaryFolder folder;
   LedgerRun run(folder / "l", {&claim()}, this_build());

@@ -52,7 +52,7 @@ TEST(NumberSource, RepeatsItsNumbersInACopy) {
 // Another source of the same numbers goes on at dimension 3, whether or not all three were used.
 TEST(NumberSource, LeavesNumbersToAnother) {
   IndependentSamples<double> numbers(key);
-  NumberSource<double> source(numbers), to_int(numbers);
+  NumberSource<double> source(numbers), whole(numbers);
   NumberSource<double> taken = source.take(3);
   EXPECT_EQ(taken.next(), whole.next());
   EXPECT_EQ(taken.next(), whole.next());

@@ -16,6 +16,29 @@ TEST(Registry, HasNoTwoClaimsOfOneName) {
   for (const Claim& claim : registry()) EXPECT_TRUE(names.insert(claim.name).second) << claim.name;
 }
 
+TEST(Registry, HasTheSameRowsForEveryInstructionSet) {
+  const std::vector<std::string> sets = claimed_instructions();
+  EXPECT_EQ(registry().front().instructions, sets.back()) << "the widest";
+  for (const std::string& set : sets) {
+    const std::vector<Claim>& rows = registry(set);
+    ASSERT_EQ(rows.size(), registry().size()) << set;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_EQ(rows[i].name, registry()[i].name) << set;
+      EXPECT_EQ(rows[i].margin_factor, registry()[i].margin_factor) << set << rows[i].name;
+      EXPECT_EQ(rows[i].weight, registry()[i].weight) << set << rows[i].name;
+      EXPECT_EQ(rows[i].instructions, set) << rows[i].name;
+    }
+  }
+  EXPECT_THROW(registry("mmx"), std::invalid_argument);
+}
+
+TEST(Manifest, PartsTheBudgetBetweenInstructionSets) {
+  RunOptions one{{.seed = 0}, 1}, two = one;
+  two.instructions = {"", ""};
+  const std::string& name = registry().front().name;
+  EXPECT_DOUBLE_EQ(manifest_of(two).trial(name).alpha, manifest_of(one).trial(name).alpha / 2);
+}
+
 TEST(Registry, SaysOfEveryClaimWhatItIsAndWhereItComesFrom) {
   for (const Claim& claim : registry()) {
     EXPECT_FALSE(claim.statement.empty()) << claim.name;

@@ -22,11 +22,25 @@ Outcome outcome(Verdict verdict) {
 
 TEST(Report, SaysHowToReplayAClaim) {
   const std::string token = replay_token(0xAB);
-  EXPECT_EQ(replay("a.b", run_options), "fairlight verify a.b --seed " + token);
-  EXPECT_EQ(replay("", run_options), "fairlight verify --seed " + token);
+  const Claim claim{.name = "a.b", .instructions = "avx2"};
+  EXPECT_EQ(replay(claim, run_options), "fairlight verify a.b --seed " + token + " --instructions avx2");
+  EXPECT_EQ(replay_run("", run_options), "fairlight verify --seed " + token);
   RunOptions unusual = run_options;
   unusual.terms.margin = 0.125;
-  EXPECT_EQ(replay("a.b", unusual), "fairlight verify a.b --seed " + token + " --margin 0.125");
+  EXPECT_EQ(replay_run("a.b", unusual), "fairlight verify a.b --seed " + token + " --margin 0.125");
+}
+
+// A claim of a run by several instruction sets has its part of the budget, alone as well.
+TEST(Report, SaysHowToReplayAClaimOfOneInstructionSetAmongSeveral) {
+  RunOptions all = run_options;
+  all.terms.budget = 1e-3;
+  all.instructions = {"sse2", "avx2"};
+  const std::string begin = "fairlight verify a.b --seed " + replay_token(0xAB);
+  EXPECT_EQ(replay({.name = "a.b", .instructions = "avx2"}, all), begin + " --budget 0.0005 --instructions avx2");
+  EXPECT_EQ(replay_run("a.b", all), begin + " --budget 0.001 --instructions all");
+  Claim claim{.name = "a.b", .instructions = "avx2"};
+  EXPECT_EQ(label({&claim, {}, 0}, all), "a.b [avx2]");
+  EXPECT_EQ(label({&claim, {}, 0}, run_options), "a.b");
 }
 
 std::string printed(const std::vector<Outcome>& outcomes, Rows rows) {
@@ -59,7 +73,7 @@ TEST(Table, ShowsAFailureFirstWithWhyAndHowToReplayIt) {
   const std::string claim = outcomes[300].claim->name;
   EXPECT_EQ(text.find(claim), text.find('\n') + 1) << text;
   EXPECT_NE(text.find("    why so\n"), std::string::npos);
-  EXPECT_NE(text.find("    again: " + replay(claim, run_options) + "\n"), std::string::npos);
+  EXPECT_NE(text.find("    again: " + replay(*outcomes[300].claim, run_options) + "\n"), std::string::npos);
 }
 
 TEST(Table, HasARowForEveryFirstNameOfMany) {

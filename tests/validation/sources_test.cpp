@@ -21,7 +21,8 @@ class Tree {
   Tree() {
     write("validation/claims/cones.cpp", "cones");
     write("validation/claims/scenes.cpp", "scenes");
-    write("validation/checks.h", "checks");
+    write("validation/checks/means.h", "checks");
+    write("validation/checks/packet_mean.cpp", "#include <fairlight/validation/checks/means.h>\n");
     write("estimators/cone.h", "cone");
     write("stats/mean_test.h", "means");
     write("stats/mean_test.cpp", "means");
@@ -33,8 +34,9 @@ class Tree {
     write("render/unused.cpp", "#include <fairlight/render/unused_parts.h>\n");
     write("render/unused_parts.h", "unused");
     build_ = "rule cc\n  command = cp $in.d $out.d && touch $out\n  depfile = $out.d\n  deps = gcc\n";
-    compile("validation/claims/cones.cpp", {"validation/checks.h", "estimators/cone.h", "stats/mean_test.h"});
-    compile("validation/claims/scenes.cpp", {"validation/checks.h", "render/image.h"});
+    compile("validation/claims/cones.cpp", {"validation/checks/means.h", "estimators/cone.h", "stats/mean_test.h"});
+    compile("validation/claims/scenes.cpp", {"validation/checks/means.h", "render/image.h"});
+    compile("validation/checks/packet_mean.cpp", {"validation/checks/means.h"});
     compile("stats/mean_test.cpp", {"stats/mean_test.h", "stats/moments.h"});
     compile("render/image.cpp", {"render/image.h", "render/tracer.h"});
     compile("render/packets.cpp", {"render/tracer.h", "estimators/cone.h"});
@@ -83,11 +85,12 @@ TEST(Sources, AreWhatAClaimIncludesAndTheSourcesBehindIt) {
   const Tree tree;
   Sources sources(tree.places());
   EXPECT_EQ(sources.files_of("cones.cpp"),
-            (Files{"validation/claims/cones.cpp", "validation/checks.h", "estimators/cone.h", "stats/mean_test.h",
-                   "stats/mean_test.cpp", "stats/moments.h"}));
-  EXPECT_EQ(sources.files_of("scenes.cpp"),
-            (Files{"validation/claims/scenes.cpp", "validation/checks.h", "render/image.h", "render/image.cpp",
-                   "render/tracer.h", "render/packets.cpp", "estimators/cone.h"}));
+            (Files{"validation/claims/cones.cpp", "validation/checks/means.h", "validation/checks/packet_mean.cpp",
+                   "estimators/cone.h", "stats/mean_test.h", "stats/mean_test.cpp", "stats/moments.h"}));
+  EXPECT_EQ(
+      sources.files_of("scenes.cpp"),
+      (Files{"validation/claims/scenes.cpp", "validation/checks/means.h", "validation/checks/packet_mean.cpp",
+             "render/image.h", "render/image.cpp", "render/tracer.h", "render/packets.cpp", "estimators/cone.h"}));
 }
 
 TEST(Sources, HaveAnotherContentWhenAnyOfThemChanges) {
@@ -155,7 +158,7 @@ TEST(ClaimsSince, AreThoseWhoseSourcesDiffer) {
   EXPECT_EQ(touched(tree, "HEAD"), Names{});
   tree.write("render/packets.cpp", "#include <fairlight/render/tracer.h>\n// changed\n");
   EXPECT_EQ(touched(tree, "HEAD"), Names{"scenes"});
-  tree.write("validation/checks.h", "changed");
+  tree.write("validation/checks/means.h", "changed");
   EXPECT_EQ(touched(tree, "HEAD"), (Names{"cones", "scenes"}));
   tree.git({"commit", "-q", "-a", "-m", "more"});
   EXPECT_EQ(touched(tree, "HEAD"), Names{});

@@ -187,10 +187,10 @@ void add_selection(CLI::App& app, VerifyOptions& options) {
   app.add_flag("--list", options.list, "List the claims with what they say, and run nothing.");
   add_text(app, "--since", options.since, "REV",
            "Certify only claims whose sources differ from this git revision, for example HEAD.");
-  app.add_option("--instructions", options.instructions,
-                 "Certify the packets of this instruction set, for example sse2, or of all that this machine has. "
-                 "The widest if not given, which render uses.")
-      ->type_name("SET|all");
+  add_text(
+      app, "--instructions", options.instructions, "SET|all",
+      "Certify the packets of this instruction set, for example sse2, or of all that this machine has. The widest "
+      "if not given, which render uses.");
 }
 
 void add_terms(CLI::App& app, VerifyOptions& options) {

@@ -165,10 +165,25 @@ Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::si
   return run.empty() ? Fate{Fate::Kind::equivalent, ""} : Fate{Fate::Kind::survived, run};
 }
 
+// Of a file of claims, the object also holds the bodies that the claims call and that other files
+// compile: those of the mutant take the place of those in the library.
 bool MutationRun::compile(const Workplace& place, const std::string& source) {
+  if (!source.starts_with(claims_folder)) return compile_to(place, source, place.object());
+  std::string objects = quoted(place.folder + "/claims.o");
+  if (!compile_to(place, source, place.folder + "/claims.o")) return false;
+  for (const char* body : {"chosen_tracer", "draws", "pairs"}) {
+    const std::string object = formatted("%s/%s.o", place.folder.c_str(), body);
+    if (!fs::exists(object) && !compile_to(place, formatted("validation/checks/%s.cpp", body), object))
+      return false;
+    objects += " " + quoted(object);
+  }
+  return shell(place.folder, formatted("ld -r -o %s %s", quoted(place.object()).c_str(), objects.c_str())) == 0;
+}
+
+bool MutationRun::compile_to(const Workplace& place, const std::string& source, const std::string& object) {
   const std::string command =
       with_options(parsed_once(compile_.at(source)), formatted("-I%s/include", quoted(place.folder).c_str()));
-  return shell(places_.build, formatted("%s -O1 -w -o '%s'", command.c_str(), place.object().c_str())) == 0;
+  return shell(places_.build, formatted("%s -O1 -w -o '%s'", command.c_str(), object.c_str())) == 0;
 }
 
 // Precompiles the header that the command includes, with the options of the command, which halves
@@ -221,8 +236,8 @@ std::string MutationRun::killer(const Workplace& place, const std::string& claim
   }
   for (const char* seconds : {" --seconds 10", ""}) {
     const std::string verify =
-        formatted("timeout 600 ./fairlight verify%s%s --instructions sse2 --threads 1 --json findings.json",
-                  claims.c_str(), seconds);
+        formatted("timeout 600 ./fairlight verify%s%s --instructions %s --threads 1 --json findings.json",
+                  claims.c_str(), seconds, claimed_instructions().front().c_str());
     const int status = shell(place.folder, verify);
     if (status != 0 && !fs::exists(place.folder + "/findings.json"))
       return "it stopped with the status " + std::to_string(status);

@@ -62,6 +62,7 @@ class MutationRun {
 
   Fate judge_in(const Workplace& place, const Mutant& mutant, std::size_t most_files);
   bool compile(const Workplace& place, const std::string& source);
+  bool compile_to(const Workplace& place, const std::string& source, const std::string& object);
   std::string parsed_once(const std::string& command);
   bool same_as_unchanged(const Workplace& place, const std::string& source);
   void link(const Workplace& place, const std::string& command, const std::string& program) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +56,7 @@ class NumberSource {
 
   /// Throws std::out_of_range past the end of a source made by take().
   Real next() {
-    if (dimension_ == end_) throw std::out_of_range("a source of the next n numbers was asked for more");
+    if (dimension_ >= end_) throw std::out_of_range("a source of the next n numbers was asked for more");
     return numbers_->at(dimension_++);
   }
 
@@ -64,7 +65,7 @@ class NumberSource {
   NumberSource take(std::size_t n) {
     NumberSource taken = *this;
     dimension_ += n;
-    taken.end_ = dimension_;
+    taken.end_ = std::min(dimension_, end_);
     return taken;
   }
 

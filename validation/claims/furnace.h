@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/claims/geometric_sum.h>
 #include <fairlight/validation/claims/radiance.h>
 
@@ -137,14 +138,15 @@ auto furnace_partial_sum(const std::string& name, std::vector<std::string> subje
     for (int k = 0; k <= depth; ++k) upper += std::pow(largest_weight * furnace.albedo[c], k);
     references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
   }
-  return Estimand{name,
-                  std::move(subjects),
-                  "inside a closed sphere the terms up to depth " + std::to_string(depth) + " sum to Le (1 - rho^" +
-                      std::to_string(depth + 1) + ") / (1 - rho), per channel",
-                  "geometric series of the transport operator",
-                  1,
-                  references,
-                  RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
+  return Estimand{
+      name,
+      std::move(subjects),
+      formatted("inside a closed sphere the terms up to depth %d sum to Le (1 - rho^%d) / (1 - rho), per channel",
+                depth, depth + 1),
+      "geometric series of the transport operator",
+      1,
+      references,
+      RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
 }
 
 }  // namespace fairlight

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
-
 #include <fairlight/estimators/glossy.h>
 #include <fairlight/estimators/hemisphere.h>
+#include <fairlight/stats/quadrature.h>
 #include <fairlight/validation/checks/estimand.h>
 
 namespace fairlight {
@@ -31,7 +30,7 @@ inline double glossy_reflectance(double exponent, double theta) {
     const double psi = std::acos(std::max(-a / b, -1.0));
     return std::pow(c, exponent) * 2 * (a * psi + std::sqrt(std::max(b * b - a * a, 0.0)));
   };
-  const double cut = boost::math::quadrature::tanh_sinh<double>().integrate(arc, 0.0, sine);
+  const double cut = integrate_with_steep_ends(arc, 0, sine);
   return cosine * (1 - std::pow(sine, exponent + 2)) + (exponent + 2) / (2 * std::numbers::pi) * cut;
 }
 

@@ -12,8 +12,8 @@ template <class Real>
 using ByVisibleHemisphere = SphereByVisibleHemisphere<Real>;
 
 constexpr double tau = 2 * std::numbers::pi;
-const Vec3<double> up(0, 0, 1);
-const Vec3<double> aside(1, 0, 0);
+Vec3<double> up() { return {0, 0, 1}; }
+Vec3<double> aside() { return {1, 0, 0}; }
 
 // Inside a sphere, with its centre above the origin, the density by area is a smooth function of
 // the height of a direction.
@@ -42,7 +42,7 @@ void add_spheres(std::vector<Claim>& claims) {
   const SphereFromOrigin touching{{0, 0, 2}, 2, true};
   const auto add = [&]<template <class> class Strategy>(const std::string& name, const std::string& subject,
                                                         const SphereFromOrigin& sphere, double largest) {
-    add_mean(claims, sphere_irradiance_claim<Strategy>(name, subject, sphere, up, largest));
+    add_mean(claims, sphere_irradiance_claim<Strategy>(name, subject, sphere, up(), largest));
   };
   add.operator()<ByArea>("sphere_light.by_area.above", "SphereByArea", far, far.area_bound());
   add.operator()<ByArea>("sphere_light.by_area.touching", "SphereByArea", touching, 2 * tau);
@@ -71,14 +71,14 @@ void add_rectangles(std::vector<Claim>& claims) {
   const RectangleFromOrigin above{{-0.5, 0.25, 1.5}, 2, 1.5};
   const RectangleFromOrigin beside{{0.5, -0.5, 1}, 1.5, 2};
   add_mean(claims, rectangle_irradiance_claim<RectangleByArea>("rectangle.by_area.parallel", "RectangleByArea",
-                                                               above, up, above.area_bound()));
+                                                               above, up(), above.area_bound()));
   add_mean(claims, rectangle_irradiance_claim<RectangleByArea>("rectangle.by_area.perpendicular", "RectangleByArea",
-                                                               beside, aside, beside.area_bound()));
+                                                               beside, aside(), beside.area_bound()));
   add_mean(claims, rectangle_solid_angle_claim<RectangleByArea>("rectangle.by_area.solid_angle", "RectangleByArea",
                                                                 beside, beside.area_bound()));
   add_mean(claims,
            rectangle_irradiance_claim<RectangleBySolidAngle>(
-               "rectangle.by_solid_angle.parallel", "RectangleBySolidAngle", above, up, above.solid_angle()));
+               "rectangle.by_solid_angle.parallel", "RectangleBySolidAngle", above, up(), above.solid_angle()));
   add_mean(claims, rectangle_irradiance_claim<RectangleBySolidAngle>("rectangle.by_solid_angle.perpendicular",
                                                                      "RectangleBySolidAngle", beside, aside,
                                                                      beside.solid_angle()));

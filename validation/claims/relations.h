@@ -1,8 +1,8 @@
 #pragma once
 
 #include <fairlight/render/strategies.h>
+#include <fairlight/validation/checks/chosen_tracer.h>
 #include <fairlight/validation/checks/padded_sets.h>
-#include <fairlight/validation/claims/chosen_tracer.h>
 #include <fairlight/validation/claims/radiance.h>
 #include <fairlight/validation/claims/related_scenes.h>
 

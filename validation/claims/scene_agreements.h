@@ -2,8 +2,8 @@
 
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
+#include <fairlight/validation/checks/chosen_tracer.h>
 #include <fairlight/validation/checks/padded_sets.h>
-#include <fairlight/validation/claims/chosen_tracer.h>
 #include <fairlight/validation/claims/radiance.h>
 
 namespace fairlight {

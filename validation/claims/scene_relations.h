@@ -81,7 +81,7 @@ auto far_away(const FarAway& away) {
       means);
 }
 
-inline const Eigen::Matrix3d some_rotation = Eigen::AngleAxisd(2, Vec3<double>(1, 2, 3).normalized()).matrix();
+inline Eigen::Matrix3d some_rotation() { return Eigen::AngleAxisd(2, Vec3<double>(1, 2, 3).normalized()).matrix(); }
 
 /// The rotated box. Its local frames differ, and so do the paths.
 template <template <class> class Wrong = AsItIs>
@@ -90,7 +90,7 @@ auto turned_box() {
   PictureMeans means = box_means;
   means.margin_factor = 4;
   return same_means<Wrong>({"cornell-simple.relation.turned", "turned, a scene looks as it did", view,
-                            moved(view, {.rotation = some_rotation}), related_settings("cone", "all", 3)},
+                            moved(view, {.rotation = some_rotation()}), related_settings("cone", "all", 3)},
                            means);
 }
 
@@ -111,7 +111,7 @@ auto two_lights_relation(const std::string& relation, const std::string& stateme
 template <template <class> class Wrong = AsItIs>
 auto turned_floor() {
   return two_lights_relation<Wrong>("turned", "turned, a scene looks as it did",
-                                    moved(two_lights_from_above(), {.rotation = some_rotation}));
+                                    moved(two_lights_from_above(), {.rotation = some_rotation()}));
 }
 template <template <class> class Wrong = AsItIs>
 auto upended_floor() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <fairlight/estimators/energy_compensation.h>
 
 /// Wrong microfacets, each a bug that a project shipped, or of the class of one. They replace the

@@ -119,12 +119,12 @@ void print_why(std::FILE* out, const Outcome& outcome, const RunOptions& run_opt
 }
 
 // Prints each note of the grouped rows once, with the names of its claims.
-void print_notes(std::FILE* out, const std::vector<Group>& groups) {
+void print_notes(std::FILE* out, const std::vector<Group>& groups, const RunOptions& run_options) {
   constexpr std::size_t most_names = 3;
   std::map<std::string, std::vector<std::string>> claims;  // by note
   for (const Group& group : groups) {
     if (group.size() == 1) continue;
-    for (const Outcome* outcome : group) claims[outcome->finding.note].push_back(outcome->claim->name);
+    for (const Outcome* outcome : group) claims[outcome->finding.note].push_back(label(*outcome, run_options));
   }
   for (const auto& [note, names] : claims) {
     if (!note.empty()) std::fprintf(out, "%s: %s\n", list_of(names, most_names).c_str(), note.c_str());
@@ -142,7 +142,7 @@ void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const 
     table.row(group);
     if (group.size() == 1) print_why(out, *group[0], run_options);
   }
-  print_notes(out, groups);
+  print_notes(out, groups, run_options);
 }
 
 }  // namespace fairlight

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view claims_folder = "validation/claims/";
 
 bool of_library(const std::string& source) {
-  return source.starts_with("stats/") || source.starts_with("estimators/") || source.starts_with("render/");
+  return source.starts_with("stats/") || source.starts_with("estimators/") || source.starts_with("render/") ||
+         source.starts_with("validation/checks/");
 }
 
 std::string folder_of(const std::string& file) { return file.substr(0, file.find('/') + 1); }

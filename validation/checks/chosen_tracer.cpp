@@ -1,7 +1,7 @@
 // Compiled once for the whole program and, for packets, once for each instruction set.
 
 #include <fairlight/render/strategies.h>
-#include <fairlight/validation/claims/chosen_tracer.h>
+#include <fairlight/validation/checks/chosen_tracer.h>
 
 namespace fairlight {
 
