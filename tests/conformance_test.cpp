@@ -39,7 +39,7 @@ TEST(Conformance, EveryClaimIsCertified) {
 
 // The other instruction sets that this machine has, more coarsely: what an instruction set does wrong, it does grossly.
 TEST(Conformance, EveryInstructionSetIsCertified) {
-  RunOptions run_options{{.seed = fresh_seed(), .margin = 10 * margin()}, hardware_threads()};
+  RunOptions run_options{{.seed = fresh_seed(), .margin = 4 * margin()}, hardware_threads()};
   run_options.instructions = claimed_instructions();
   run_options.instructions.pop_back();
   if (run_options.instructions.empty()) return;  // the widest alone, which is certified above
