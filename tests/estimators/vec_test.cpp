@@ -66,15 +66,5 @@ TEST(RequireUnit, RefusesAnyOtherLengthInEveryLane) {
                std::invalid_argument);
 }
 
-TEST(RequirePositive, RefusesWhatIsNotPositiveAndFiniteInAnyLane) {
-  EXPECT_NO_THROW(require_positive(1e-300, "it", "why"));
-  for (double wrong : {0.0, -1.0, infinity<double>, std::nan("")})
-    EXPECT_THROW(require_positive(wrong, "it", "why"), std::invalid_argument);
-  std::array<float, lanes<Packet>> lengths{};
-  lengths.fill(1);
-  lengths.back() = 0;
-  EXPECT_THROW(require_positive(Packet::load_unaligned(lengths.data()), "it", "why"), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace fairlight
