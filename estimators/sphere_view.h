@@ -20,8 +20,9 @@ namespace fairlight {
 template <class Real>
 class SphereView {
  public:
-  /// The smallest r / d. Below it densities are no numbers of Real.
-  static constexpr Lane<Real> smallest = in_floats<Real> ? Lane<Real>(1e-15) : Lane<Real>(1e-120);
+  /// The smallest r / d: 1e-16 in floats, but for rounding. The density of the visible hemisphere, 1 / (2 pi (r/d)^2 cos),
+  /// is the largest, at a cosine of 2^-24 that floats still tell from 0; below 9e-17 it is no number.
+  static constexpr Lane<Real> smallest = in_floats<Real> ? Lane<Real>(9e-17) : Lane<Real>(1e-120);
 
   /// By how much a direction may be past the rim [rad]. Half an ulp each for a direction that is rounded, for the offset
   /// and for the axis, half for what is left across the axis, and as much again for what a ray tracer adds.
@@ -35,7 +36,7 @@ class SphereView {
         distance_(select(on_surface, radius, Real(offset.norm()))),
         height_(distance_ - radius) {
     if (!all(Real(smallest) * distance_ <= radius)) {
-      detail::refuse<Real>("a sphere is smaller than 1e-15 of its distance in floats, or 1e-120 in double",
+      detail::refuse<Real>("a sphere is smaller than 1e-16 of its distance in floats, or 1e-120 in double",
                            " (make it larger, or a point)");
     }
   }
