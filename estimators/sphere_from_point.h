@@ -23,8 +23,10 @@ class SphereFromPoint {
   // importance sampling would not sum to 1. So the support extends `rim` beyond the edge, however
   // small the sphere.
  public:
-  /// The smallest r / d. Below it, densities overflow or are NaN in Real.
-  static constexpr Lane<Real> smallest = in_floats<Real> ? Lane<Real>(1e-15) : Lane<Real>(1e-120);
+  /// The smallest r / d: 1e-16 in floats, less its rounding. The largest density is that of the
+  /// visible hemisphere, 1 / (2 pi (r/d)^2 cos), at the smallest cosine of a float, 2^-24. It
+  /// overflows below 9e-17.
+  static constexpr Lane<Real> smallest = in_floats<Real> ? Lane<Real>(9e-17) : Lane<Real>(1e-120);
 
   /// How far a direction may be past the rim [rad]. Half an ulp each for the rounding of the
   /// direction, of the offset and of the axis; half for the residue across the axis; and the same
@@ -40,7 +42,7 @@ class SphereFromPoint {
         distance_(select(on_surface, radius, Real(offset.norm()))),
         height_(distance_ - radius) {
     if (!all(Real(smallest) * distance_ <= radius)) {
-      detail::refuse<Real>("a sphere is smaller than 1e-15 of its distance in floats, or 1e-120 in double",
+      detail::refuse<Real>("a sphere is smaller than 1e-16 of its distance in floats, or 1e-120 in double",
                            " (make it larger, or a point)");
     }
   }

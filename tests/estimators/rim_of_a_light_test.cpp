@@ -73,7 +73,7 @@ void over_the_cap(double ratio, const Visit& visit) {
 // errors.
 TEST(SphereByCone, HasItsDensityInFloatsUpToTheRim) {
   const SphereByCone<float> floats(unit_sphere<float>());
-  for (double ratio : {0.5, 0.1, 1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-14}) {
+  for (double ratio : {0.5, 0.1, 1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-16}) {
     long zeros = 0;
     for (const Vec3<double>& towards : all_around) {
       const FarSphere sphere(towards, ratio);
@@ -84,14 +84,15 @@ TEST(SphereByCone, HasItsDensityInFloatsUpToTheRim) {
     over_the_cap(ratio, [&](const FarSphere& sphere, const Vec3<float>& direction) {
       const double density = static_cast<double>(floats.pdf(sphere.from, direction).value());
       zeros += density == 0 ? 1 : 0;
-      if (density != 0) EXPECT_LE(std::abs(density * 2 * M_PI * sphere.cone_height - 1), 16 * rad) << ratio;
+      if (density == 0) return;
+      EXPECT_LE(std::abs(density * 2 * M_PI * sphere.cone_height - 1), 16 * rad) << ratio;
     });
     EXPECT_EQ(zeros, 0) << ratio;
   }
 }
 
 TEST(SphereByCone, HasADensityWhereFloatsDraw) {
-  for (double ratio : {0.9999, 0.5, 1e-2, 1e-5, 1e-7, 1e-9, 1e-14}) {
+  for (double ratio : {0.9999, 0.5, 1e-2, 1e-5, 1e-7, 1e-9, 1e-16}) {
     for (const Vec3<double>& towards : all_around) {
       const SphereByCone<float> light(unit_sphere<float>());
       const Vec3<float> from = FarSphere(towards, ratio).from;
@@ -109,7 +110,7 @@ TEST(SphereByCone, HasADensityWhereFloatsDraw) {
 // rim, plus 8 ulp of the chord.
 TEST(SphereByCone, EndsBeyondTheRim) {
   const SphereByCone<float> light(unit_sphere<float>());
-  for (double ratio : {0.5, 1e-2, 1e-5, 1e-7, 1e-14}) {
+  for (double ratio : {0.5, 1e-2, 1e-5, 1e-7, 1e-16}) {
     for (const Vec3<double>& towards : all_around) {
       const FarSphere sphere(towards, ratio);
       for (int j = 0; j < 64; ++j) {

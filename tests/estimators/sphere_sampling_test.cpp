@@ -153,9 +153,13 @@ TEST(SphereLight, RefusesLengthsThatFloatsDoNotHold) {
 
 TEST(SphereSampling, RefusesASphereThatIsTooSmallForItsDistance) {
   const SphereLight<float> sphere({0, 0, 0}, 1);
-  const Vec3<float> far(0, 0, 0.9e15f), too_far(0, 0, 1.1e15f);
+  const Vec3<float> far(0, 0, 1e16f), too_far(0, 0, 1.2e16f);
   EXPECT_GT(SphereByCone<float>(sphere).sample(far, {0.5f, 0.5f}).density.value(), 0);
-  EXPECT_LT(SphereByArea<float>(sphere).sample(far, {0.49999997f, 0.5f}).density.value(), INFINITY);
+  for (int i = 1; i < 64; ++i) {  // near the rim, where the density is largest
+    const float part = 1 - static_cast<float>(i) * 0x1p-24f;
+    EXPECT_LT(SphereByArea<float>(sphere).sample(far, {part / 2, 0.5f}).density.value(), INFINITY) << i;
+    EXPECT_LT(SphereByVisibleHemisphere<float>(sphere).sample(far, {part, 0.5f}).density.value(), INFINITY) << i;
+  }
   EXPECT_THROW(SphereByCone<float>(sphere).sample(too_far, {0.5f, 0.5f}), std::invalid_argument);
   EXPECT_THROW(SphereByCone<float>(sphere).pdf(too_far, {0, 0, -1}), std::invalid_argument);
   EXPECT_THROW(SphereByArea<float>(sphere).sample(too_far, {0.5f, 0.5f}), std::invalid_argument);

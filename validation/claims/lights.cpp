@@ -80,7 +80,7 @@ void add_rectangles(std::vector<Claim>& claims) {
            rectangle_irradiance_claim<RectangleBySolidAngle>(
                "rectangle.by_solid_angle.parallel", "RectangleBySolidAngle", above, up(), above.solid_angle()));
   add_mean(claims, rectangle_irradiance_claim<RectangleBySolidAngle>("rectangle.by_solid_angle.perpendicular",
-                                                                     "RectangleBySolidAngle", beside, aside,
+                                                                     "RectangleBySolidAngle", beside, aside(),
                                                                      beside.solid_angle()));
   const LawEstimand points{"rectangle.by_solid_angle", "RectangleBySolidAngle", "Urena, Fajardo, King 2013",
                            [=]<class Real>(std::type_identity<Real>) { return RectanglePoints(beside); },
