@@ -100,7 +100,7 @@ TEST(Mutants, AreKnownToBeEquivalentByLinesThatStand) {
   const auto known = [](const std::string& file) {
     return std::ranges::count_if(mutants_in(file), [](const Mutant& m) { return !known_equivalence(m).empty(); });
   };
-  for (const char* stem : {"gaussian_filter", "glossy", "inversion", "sphere_view"})
+  for (const char* stem : {"gaussian_filter", "glossy", "inversion", "sphere_from_point"})
     EXPECT_EQ(known(formatted("estimators/%s.h", stem)), 1) << stem;
   EXPECT_EQ(known("estimators/ggx.h"), 2);
   EXPECT_EQ(known("render/sphere.h"), 1);

@@ -34,7 +34,7 @@ constexpr std::array known{
     Known{"estimators/inversion.h", "const Mask<Real> near = w < Real(5);",
           "const Mask<Real> near = w < Real(5.1);",
           "from 5 to 5.1 both polynomials are within 5e-7, and steps that triple its digits begin there"},
-    Known{"estimators/sphere_view.h",
+    Known{"estimators/sphere_from_point.h",
           "return select(far, sum, Real(abs(level()) / select(sum > Real(0), sum, Real(1))));",
           "return select(far, sum, Real(abs(level()) / select(sum > Real(0), sum, Real(1.02))));",
           "where it is divided by this, the point is on the sphere and the dividend is zero"},
