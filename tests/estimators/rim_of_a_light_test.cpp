@@ -131,7 +131,7 @@ TEST(SphereByArea, HasADensityInFloatsUpToTheRim) {
     over_the_cap(ratio, [&](const FarSphere& sphere, const Vec3<float>& direction) {
       const double d = sphere.from.cast<double>().norm();
       const double least = (d - 1) * (d - 1) / (4 * M_PI);
-      const double density = static_cast<double>(whole.pdf(sphere.from, direction).value());
+      const double density = static_cast<double>(whole_sphere.pdf(sphere.from, direction).value());
       EXPECT_GE(density, 0.999 * least) << ratio;
       EXPECT_LT(density, INFINITY) << ratio;
       EXPECT_GE(static_cast<double>(half.pdf(sphere.from, direction).value()), 0.999 * 2 * least) << ratio;

@@ -13,6 +13,7 @@
 
 #include <fairlight/render/atomic_file.h>
 #include <fairlight/render/file_lock.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -36,7 +37,8 @@ TEST(OutputLock, IsOneRunsAloneAndLeavesNothing) {
   {
     const OutputLock lock(folder / "a.exr");
     EXPECT_EQ(refusal(folder / "a.exr"),
-              "\"" + (folder / "a.exr") + "\" is being written by another run (wait for it, or give another -o)");
+              formatted("\"%s\" is being written by another run (wait for it, or give another -o)",
+                        std::string(folder / "a.exr").c_str()));
     EXPECT_EQ(refusal(folder / "b.exr"), "") << "another output";
   }
   EXPECT_EQ(refusal(folder / "a.exr"), "");

@@ -8,6 +8,7 @@
 
 #include <fairlight/render/picture.h>
 #include <fairlight/render/render_image.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -38,7 +39,7 @@ TEST(RenderSettings, AreRefusedByNameWithANumberThatIsNotFinite) {
     for (double value : {std::nan(""), infinite, -infinite}) {
       RenderSettings settings;
       settings.*member = value;
-      const std::string quoted = "\"" + std::string(name) + "\"";
+      const std::string quoted = formatted("\"%s\"", std::string(name).c_str());
       EXPECT_THAT(refusal([&] { check_finite(settings); }), HasSubstr(quoted));
       EXPECT_THAT(refusal([&] { view_of(settings); }), HasSubstr(quoted));
       EXPECT_THAT(refusal([&] { with_camera_of(settings, built_in_scene("hallway")); }), HasSubstr(quoted));

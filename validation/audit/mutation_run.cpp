@@ -175,7 +175,7 @@ bool MutationRun::compile(const Workplace& place, const std::string& source) {
     const std::string object = formatted("%s/%s.o", place.folder.c_str(), body);
     if (!fs::exists(object) && !compile_to(place, formatted("validation/checks/%s.cpp", body), object))
       return false;
-    objects += " " + quoted(object);
+    objects += formatted(" %s", quoted(object).c_str());
   }
   return shell(place.folder, formatted("ld -r -o %s %s", quoted(place.object()).c_str(), objects.c_str())) == 0;
 }
