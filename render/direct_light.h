@@ -182,6 +182,7 @@ struct ContributionLightSampler {
 };
 
 /// No shadow rays: only bounces find light, and emission counts at every depth.
+/// Source   Kajiya 1986
 struct NoDirectLight {
   template <class Real, class Scene>
   static Real emission_weight(const Scene&, const Ray<Real>&, const Real& /*surface*/, const Real& /*density*/) {

@@ -128,8 +128,8 @@ TEST(StartUp, RunsNothingOfAKernel) {
   EXPECT_FALSE(functions.empty()) << "there is always frame_dummy";
   for (const std::uint64_t function : functions) {
     for (const Section& section : all) {
-      if (section.is_kernel())
-        EXPECT_FALSE(section.holds(function)) << section.name << " at " << std::hex << function;
+      if (!section.is_kernel()) continue;
+      EXPECT_FALSE(section.holds(function)) << section.name << " at " << std::hex << function;
     }
   }
 }
@@ -189,7 +189,7 @@ TEST_P(OlderProcessor, RendersWhatThisMachineRenders) {
 INSTANTIATE_TEST_SUITE_P(StartUp, OlderProcessor,
                          ::testing::Values(Processor{"qemu64", {"sse2"}}, Processor{"Nehalem", {"sse2"}},
                                            Processor{"Haswell", {"sse2", "avx2"}}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& processor) { return processor.param.name; });
 
 #endif
 

@@ -47,6 +47,7 @@ inline const std::map<std::string, std::string> no_components{
     {"StreamKey", "the key of a stream"},
     {"Survival", "what a roulette gives"},
     {"WeightedLobe", "a lobe and its numbers: what a Mixture is given"},
+    {"checked_number", "a check"},
     {"checked_size", "a check"},
     {"five_of", "how a block is spread over numbers"},
     {"ggx_albedo", "a quadrature without random numbers: RoughConductor's albedo, held to another by its test"},

@@ -71,7 +71,9 @@ TEST(CheckMeanInPackets, HasOneVerdictWhateverTheNumbers) {
     EXPECT_EQ(right.verdict, Verdict::certified) << right.note;
     EXPECT_LT(right.interval.hi, 1e-3);
     EXPECT_EQ(wrong.verdict, Verdict::biased) << count;
-    if (count == 1) EXPECT_NE(wrong.note, "") << "points, which vary far less";
+    if (count == 1) {
+      EXPECT_NE(wrong.note, "") << "points, which vary far less";
+    }
   }
 }
 

@@ -20,9 +20,16 @@ Outcome outcome(Verdict verdict) {
   return made;
 }
 
+Claim in_avx2(const std::string& name) {
+  Claim claim = registry()[0];
+  claim.name = name;
+  claim.instructions = "avx2";
+  return claim;
+}
+
 TEST(Report, SaysHowToReplayAClaim) {
   const std::string token = replay_token(0xAB);
-  const Claim claim{.name = "a.b", .instructions = "avx2"};
+  const Claim claim = in_avx2("a.b");
   EXPECT_EQ(replay(claim, run_options), "fairlight verify a.b --seed " + token + " --instructions avx2");
   EXPECT_EQ(replay_run("", run_options), "fairlight verify --seed " + token);
   RunOptions unusual = run_options;
@@ -32,13 +39,13 @@ TEST(Report, SaysHowToReplayAClaim) {
 
 // A claim of a run by several instruction sets has its part of the budget, alone as well.
 TEST(Report, SaysHowToReplayAClaimOfOneInstructionSetAmongSeveral) {
+  const Claim claim = in_avx2("a.b");
   RunOptions all = run_options;
   all.terms.budget = 1e-3;
   all.instructions = {"sse2", "avx2"};
   const std::string begin = "fairlight verify a.b --seed " + replay_token(0xAB);
-  EXPECT_EQ(replay({.name = "a.b", .instructions = "avx2"}, all), begin + " --budget 0.0005 --instructions avx2");
+  EXPECT_EQ(replay(claim, all), begin + " --budget 0.0005 --instructions avx2");
   EXPECT_EQ(replay_run("a.b", all), begin + " --budget 0.001 --instructions all");
-  Claim claim{.name = "a.b", .instructions = "avx2"};
   EXPECT_EQ(label({&claim, {}, 0}, all), "a.b [avx2]");
   EXPECT_EQ(label({&claim, {}, 0}, run_options), "a.b");
 }
