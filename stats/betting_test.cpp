@@ -16,8 +16,7 @@ namespace {
 // The largest part of its possible loss that a process bets, so that no block can ruin it.
 constexpr double largest_stake = 0.9;
 
-// Larger bets find biases far above the margin sooner. A mixture of wealth processes is a wealth
-// process.
+// Larger bets find large biases sooner. A mixture of wealth processes is a wealth process.
 constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
 constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
 
@@ -42,8 +41,7 @@ double log_mixture(const std::array<LogProduct, 3>& products) {
 constexpr double part_of_best_bet = 0.9;
 
 // The l that maximises E[log(1 + l Y)], to third order in l: m - l (s^2 + m^2) - l^2 t = 0, where Y
-// has mean m, variance s^2 and third central moment -t, the unlucky sign. Without t, the bets
-// against rare large losses would be too large, and the wealth could shrink on right code.
+// has mean m, variance s^2 and third central moment -t. Without t, bets against rare losses lose.
 double bet_on(double margin, double variance, double skew) {
   const double square = variance + margin * margin;
   return part_of_best_bet * 2 * margin / (square + std::sqrt(square * square + 4 * margin * skew));
@@ -98,8 +96,7 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
 
 // An estimate of the variance of one draw from n draws: the sample's, plus that of an unseen event
 // of probability 1/n at the far end of the range; at most what the range and the mean allow (Bhatia
-// and Davis 2000). Too small an estimate makes bets that lose too much. The test is exact for any
-// estimate from earlier draws.
+// and Davis 2000). The test is exact for any estimate from earlier draws.
 double BettingTest::spread() const {
   const double above = hypothesis_.upper - hypothesis_.mean;
   const double below = hypothesis_.mean - hypothesis_.lower;
@@ -215,7 +212,6 @@ Wealth BettingTest::wealth_for(double margin) const {
 }
 
 void BettingTest::decide() {
-  // A mean above the reference, or below it, is a fault.
   const bool above = hypothesis_.sides != Sides::not_below;
   const bool below = hypothesis_.sides != Sides::not_above;
   const auto refutes = [this](const std::array<LogProduct, 3>& wealth) {
@@ -245,8 +241,7 @@ double BettingTest::expected_draws() const {
   return certifying() * (3.7 * moments_.variance() / (margin * margin) + 1.1 * range / margin);
 }
 
-// Padded with zero bets to a multiple of four: `evidence` multiplies four factors at a time, as the
-// branches of LogProduct cost more than a factor.
+// Padded with zero bets to a multiple of four, as `evidence` multiplies four factors at a time.
 BettingTest::Stakes BettingTest::stakes(bool above) const {
   const auto& h = hypothesis_;
   const auto n = static_cast<Eigen::Index>(blocks_.size());
@@ -273,9 +268,8 @@ double BettingTest::evidence(const Stakes& stakes, double candidate) const {
   return log_mixture(wealth) - std::log(mixture_weights[0] / beta_);
 }
 
-// Finds the candidate at which `evidence` is 0. Tries the margin first, then four margins from the
-// mean of the draws, then the bound; on the other side the search ends where bets are not
-// affordable.
+// Finds the candidate at which `evidence` is 0: tries the margin, then four margins from the mean of
+// the draws, then the bound; on the other side it ends where bets are not affordable.
 double BettingTest::end_of_interval(bool above) const {
   const auto& h = hypothesis_;
   const Stakes all = stakes(above);

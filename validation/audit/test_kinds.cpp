@@ -205,8 +205,7 @@ TestKind variance_at_most() {
           }};
 }
 
-// With probability |bias| the second number is the first, or its mirror image: a correlation of
-// `bias`.
+// With probability |bias| the second number is the first, or its mirror image.
 TestKind correlation() {
   return {"uncorrelated", false, [](const Trial& trial, double bias) {
             const Numbers u(trial);
