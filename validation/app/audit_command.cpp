@@ -97,6 +97,7 @@ void add_audit_command(CLI::App& program, Command& command) {
   add_tester_commands(*app, command);
   add_mutate_command(*app, command);
   add_judges_command(*app, command);
+  add_domains_command(*app, command);
   add_examples(*app, {"fairlight audit faults --seeds 10", "fairlight audit calibration --short"});
 }
 

@@ -19,6 +19,9 @@ void add_mutate_command(CLI::App& audit, Command& command);
 /// Adds `judges` to `audit`.
 void add_judges_command(CLI::App& audit, Command& command);
 
+/// Adds `domains` to `audit`.
+void add_domains_command(CLI::App& audit, Command& command);
+
 /// Adds `audit` to the program.
 void add_audit_command(CLI::App& program, Command& command);
 

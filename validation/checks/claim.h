@@ -6,6 +6,7 @@
 
 #include <fairlight/stats/manifest.h>
 #include <fairlight/stats/verdict.h>
+#include <fairlight/validation/checks/parameter_range.h>
 
 namespace fairlight {
 
@@ -21,8 +22,9 @@ struct Claim {
   std::string real = "double";  ///< the arithmetic: double | packet
   double finest_margin = 0;  ///< the finest margin that its rounding allows: the floor of its margin; 0 means none
   double weight = 1;         ///< its share of the budget is weight / the sum of all weights
-  std::string file{};        ///< the file in claims/ that makes it; the registry fills it in
-  std::string instructions{};  ///< the instruction set of its packets; the registry fills it in
+  std::vector<ParameterRange> covers{};  ///< the parameters that each run draws anew
+  std::string file{};                    ///< the file in claims/ that makes it; the registry fills it in
+  std::string instructions{};            ///< the instruction set of its packets; the registry fills it in
 };
 
 }  // namespace fairlight

@@ -27,7 +27,8 @@ void add_reflectances(std::vector<Claim>& claims) {
   for (const CosineRange& range : cosine_ranges) {
     add_independent_mean(claims, insulator_outside(range));
     add_independent_mean(claims, copper_reflectance(range));
-    add_independent_mean(claims, schlick_reflectance(range));
+    add_mean_over(claims, schlick_ranges(),
+                  [range](const std::vector<double>& values) { return schlick_reflectance(range, values); });
   }
   add_independent_mean(claims, insulator_inside("fresnel.dielectric.inside", false));
   add_independent_mean(claims, insulator_inside("fresnel.dielectric.inside.refracted", true));

@@ -10,6 +10,7 @@
 
 #include <fairlight/estimators/reflectance.h>
 #include <fairlight/stats/quadrature.h>
+#include <fairlight/validation/checks/parameters.h>
 #include <fairlight/validation/claims/materials.h>
 
 namespace fairlight {
@@ -102,7 +103,7 @@ inline auto insulator_inside(const std::string& name, bool refracted) {
   return Estimand{
       name,
       {"fresnel_dielectric"},
-      "three insulators reflect from inside the integral of Fresnel's equations, and all up to the critical angle",
+      "three insulators reflect from inside the integral of Fresnel's equations, and all beyond the critical angle",
       "Born and Wolf, 1.5.2, in the angles; quadrature",
       1,
       references,
@@ -130,16 +131,24 @@ inline auto copper_reflectance(const CosineRange& range) {
                   draw};
 }
 
+/// The parameters of the rows on Schlick's reflectance: one at normal incidence for each channel.
+inline std::vector<ParameterRange> schlick_ranges() {
+  const auto at_normal = [](double low, double high) {
+    return ParameterRange{"SchlickReflectance", "reflectance", low, high};
+  };
+  return {at_normal(0, 0.1), at_normal(0.1, 0.9), at_normal(0.9, 1)};
+}
+
 /// The mean of (1 - c)^5 over c in [a, b] is ((1 - a)^6 - (1 - b)^6) / (6 (b - a)).
-inline auto schlick_reflectance(const CosineRange& range) {
-  static constexpr std::array<double, 3> at_normal{0.04, 0.5, 0.95};
+inline auto schlick_reflectance(const CosineRange& range, const std::vector<double>& at_normal) {
   const auto& [name, a, b] = range;
   const double power = (std::pow(1 - a, 6) - std::pow(1 - b, 6)) / (6 * (b - a));
+  const std::array<double, 3> colour{at_normal[0], at_normal[1], at_normal[2]};
   std::vector<Reference> references;
-  for (const double f : at_normal)
+  for (const double f : colour)
     references.push_back({f + (1 - f) * power, 0, (f + (1 - f) * std::pow(1 - a, 5)) * (1 + 1e-12)});
-  const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
-    return SchlickReflectance<Real>(detail::rounded_colour<Real>(at_normal))(
+  const auto draw = [range, colour]<class Real>(std::type_identity<Real>, auto& source) {
+    return SchlickReflectance<Real>(detail::rounded_colour<Real>(colour))(
         detail::cosine_between<Real>(range.low, range.high, source));
   };
   return Estimand{std::string("schlick.") + name,

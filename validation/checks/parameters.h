@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <fairlight/validation/checks/estimand.h>
+
+/// Claims whose parameters are drawn anew in every run, over the domain that a component states.
+namespace fairlight {
+
+/// The domain of a parameter as the component's page states it.
+struct ParameterDomain {
+  std::string component, parameter, unit;
+  double low, high;
+  std::string gap;  ///< why no claim reaches an end of the domain; empty if claims reach both
+};
+
+/// The domains of all parameters, in checks/domains.cpp.
+const std::vector<ParameterDomain>& parameter_domains();
+
+/// Throws std::logic_error, with the claim's name, for a range of an unknown parameter or outside
+/// its domain: a fault of the claim.
+void check_ranges(const std::string& claim, const std::vector<ParameterRange>& ranges);
+
+/// A value from each range: the middle of each, or drawn from the seed and the claim's name.
+std::vector<double> middles(const std::vector<ParameterRange>& ranges);
+std::vector<double> drawn(const std::vector<ParameterRange>& ranges, const Trial& trial);
+
+/// Adds the values to the note of a finding that is not certified.
+Finding with_parameters(Finding finding, const std::vector<ParameterRange>& ranges,
+                        const std::vector<double>& values);
+
+/// The row for the mean of `make(values)`, an Estimand, at values drawn from the ranges. Only its
+/// references and its draws may depend on the values. Throws what check_ranges throws.
+template <class Real, class Make>
+Claim mean_claim_over(const std::vector<ParameterRange>& ranges, const Make& make) {
+  Claim claim = mean_claim<Real>(make(middles(ranges)));
+  check_ranges(claim.name, ranges);
+  claim.covers = ranges;
+  claim.check = [ranges, make](const Trial& trial) {
+    const std::vector<double> values = drawn(ranges, trial);
+    return with_parameters(mean_claim<Real>(make(values)).check(trial), ranges, values);
+  };
+  return claim;
+}
+
+/// Adds these rows in double and in packets.
+template <class Make>
+void add_mean_over(std::vector<Claim>& claims, const std::vector<ParameterRange>& ranges, const Make& make) {
+  claims.push_back(mean_claim_over<double>(ranges, make));
+  claims.push_back(mean_claim_over<Packet>(ranges, make));
+}
+
+}  // namespace fairlight
