@@ -54,7 +54,7 @@ class Camera {
       throw std::invalid_argument("the camera must be focused in front of itself (it sees nothing behind)");
     if (settings.blades != 0 && settings.blades < 3)
       throw std::invalid_argument("an aperture needs three blades or more (or 0, and is round)");
-    if (!std::isfinite(settings.blade_rotation))
+    if (!all_finite(settings.blade_rotation))
       throw std::invalid_argument("the rotation of an aperture's blades must be finite (it is an angle)");
     right_ = right_.normalized() * settings.image_height;
     down_ = look_.cross(right_);

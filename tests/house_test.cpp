@@ -8,7 +8,6 @@
 namespace fairlight {
 namespace {
 
-using testing::components_without_papers;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using testing::foreign_includes_in_stats;
@@ -19,6 +18,7 @@ using testing::missing_tests_of_bad_input;
 using testing::sections_without_component;
 using testing::stale_non_components;
 using testing::TemporaryFolder;
+using testing::unregistered_components;
 using testing::write_file;
 
 std::set<std::string> registered() {
@@ -29,8 +29,8 @@ std::set<std::string> registered() {
 
 TEST(House, IncludesPointDownTheChain) { EXPECT_THAT(includes_up_the_chain(FAIRLIGHT_SOURCE_DIR), IsEmpty()); }
 
-TEST(House, EveryComponentHasItsPapers) {
-  EXPECT_THAT(components_without_papers(FAIRLIGHT_SOURCE_DIR, registered()), IsEmpty());
+TEST(House, EveryComponentIsRegistered) {
+  EXPECT_THAT(unregistered_components(FAIRLIGHT_SOURCE_DIR, registered()), IsEmpty());
 }
 
 TEST(House, HasNoSectionWithoutAComponent) {
@@ -68,8 +68,8 @@ TEST(House, NoticesAQuotedInclude) {
   EXPECT_THAT(includes_up_the_chain(tree.path()), Contains(HasSubstr("quoted")));
 }
 
-// A sampler with all its papers, from which a test takes one away.
-struct Papers {
+// A sampler with its claim, test and page, of which a test takes one away.
+struct Registration {
   std::string comment = "/// Formula  p\n/// Measure  m\n/// Domain   d\n/// Random   u\n/// Source   s\n";
   std::string head = "template <class Real>\n";
   std::string test = "Disk";
@@ -82,27 +82,27 @@ struct Papers {
                comment + head + "struct Disk {\n  P sample(U u) const;\n  D pdf(P x) const;\n};\n");
     write_file(tree / "tests/estimators/disk_test.cpp", test);
     write_file(tree / "docs/estimators.md", docs);
-    return components_without_papers(tree.path(), rows);
+    return unregistered_components(tree.path(), rows);
   }
 };
 
 TEST(House, NoticesASamplerWithoutARegistryRow) {
-  Papers papers;
-  EXPECT_THAT(papers.problems(), IsEmpty());
-  papers.rows = {"Dusk"};
-  EXPECT_THAT(papers.problems(), Contains("Disk has no row in the registry"));
+  Registration registration;
+  EXPECT_THAT(registration.problems(), IsEmpty());
+  registration.rows = {"Dusk"};
+  EXPECT_THAT(registration.problems(), Contains("Disk has no row in the registry"));
 }
 
 TEST(House, NoticesASamplerWithoutATest) {
-  Papers papers;
-  papers.test = "";
-  EXPECT_THAT(papers.problems(), Contains("Disk has no test in tests/estimators/disk_test.cpp"));
+  Registration registration;
+  registration.test = "";
+  EXPECT_THAT(registration.problems(), Contains("Disk has no test in tests/estimators/disk_test.cpp"));
 }
 
 TEST(House, NoticesASamplerWithoutASectionInTheDocs) {
-  Papers papers;
-  papers.docs = "## Disks\n";
-  EXPECT_THAT(papers.problems(), Contains("Disk has no section in docs/estimators.md"));
+  Registration registration;
+  registration.docs = "## Disks\n";
+  EXPECT_THAT(registration.problems(), Contains("Disk has no section in docs/estimators.md"));
 }
 
 // Whatever its methods are called, and without any: a function that has a mean is one.
@@ -112,7 +112,7 @@ TEST(House, TakesWhateverAHeaderDeclaresForAComponent) {
     write_file(tree / "estimators/disk.h", header);
     write_file(tree / "tests/estimators/disk_test.cpp", "");
     write_file(tree / "docs/estimators.md", "");
-    return components_without_papers(tree.path(), {});
+    return unregistered_components(tree.path(), {});
   };
   const std::string class_of = "Disk has no row in the registry", function_of = "disk has no row in the registry";
   EXPECT_THAT(problems_with("template <class Real>\nclass Disk {\n  Real area() const;\n};\n"), Contains(class_of));
@@ -138,15 +138,15 @@ TEST(House, NoticesASectionWithoutAComponent) {
 }
 
 TEST(House, ReadsTheCommentAboveATemplateOfSeveralLines) {
-  Papers papers;
-  papers.head = "template <class Real,\n          class Other>\n";
-  EXPECT_THAT(papers.problems(), IsEmpty());
+  Registration registration;
+  registration.head = "template <class Real,\n          class Other>\n";
+  EXPECT_THAT(registration.problems(), IsEmpty());
 }
 
 TEST(House, NoticesASamplerThatDoesNotNameItsMeasure) {
-  Papers papers;
-  papers.comment = "/// Formula  p\n/// Domain   d\n/// Random   u\n/// Source   s\n";
-  EXPECT_THAT(papers.problems(), Contains("Disk has no field Measure"));
+  Registration registration;
+  registration.comment = "/// Formula  p\n/// Domain   d\n/// Random   u\n/// Source   s\n";
+  EXPECT_THAT(registration.problems(), Contains("Disk has no field Measure"));
 }
 
 TEST(House, TestsWhatItSaysOfBadInput) { EXPECT_THAT(missing_tests_of_bad_input(FAIRLIGHT_SOURCE_DIR), IsEmpty()); }

@@ -61,7 +61,7 @@ TEST(ThePage, KnowsWhereItsLinesGo) {
 TEST(ThePage, LeavesNoPaperMissing) {
   std::set<std::string> subjects;
   for (const Claim& claim : claims()) subjects.insert(claim.subjects.begin(), claim.subjects.end());
-  EXPECT_THAT(testing::components_without_papers(FAIRLIGHT_PAGE_DIR, subjects), ::testing::IsEmpty());
+  EXPECT_THAT(testing::unregistered_components(FAIRLIGHT_PAGE_DIR, subjects), ::testing::IsEmpty());
 }
 
 }  // namespace

@@ -187,7 +187,7 @@ std::vector<std::string> foreign_includes_in_stats(const fs::path& root) {
   return problems;
 }
 
-std::vector<std::string> components_without_papers(const fs::path& root, const std::set<std::string>& registered) {
+std::vector<std::string> unregistered_components(const fs::path& root, const std::set<std::string>& registered) {
   std::vector<std::string> problems;
   const std::set<std::string> sections = sections_of(root / "docs/estimators.md");
   for (const auto& component : components(root, sections)) {

@@ -22,8 +22,8 @@ std::vector<std::string> foreign_includes_in_stats(const std::filesystem::path& 
 /// docs/estimators.md. Components are all classes and functions that headers of estimators/ declare
 /// outside of namespace detail, unless non_components.h lists them. Classes of render/ are
 /// components if they sample, sum, play, estimate or have a section.
-std::vector<std::string> components_without_papers(const std::filesystem::path& root,
-                                                   const std::set<std::string>& registered);
+std::vector<std::string> unregistered_components(const std::filesystem::path& root,
+                                                 const std::set<std::string>& registered);
 
 /// Every section of docs/estimators.md describes a component that exists.
 std::vector<std::string> sections_without_component(const std::filesystem::path& root);
