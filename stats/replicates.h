@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include <fairlight/stats/mean_test.h>
@@ -32,11 +30,5 @@ Finding test_replicates(const Trial& trial, double mean, Replicate&& replicate) 
                                channels[0][i] = replicate(first + i);
                            });
 }
-
-/// The exponent e of variance ~ n^-e, by least squares on logarithms: 1 for independent draws, up
-/// to 3 for scrambled nets on smooth integrands. Takes pairs of (points per replicate, variance
-/// between replicates). Throws std::invalid_argument for fewer than two pairs, or for a number that
-/// is not positive.
-double convergence_exponent(std::span<const std::pair<double, double>> variances);
 
 }  // namespace fairlight
