@@ -57,14 +57,12 @@ struct CameraAskew {
 /// The coordinates where a ray crosses that plane, to the right of the axis and below it.
 template <class Real>
 Vec2<Real> crossing(const Ray<Real>& ray) {
-  const auto in = [](const Vec3<double>& v) {
-    return Vec3<Real>(rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z()));
-  };
-  const Vec3<Real> from = ray.origin - in(CameraAskew::eye());
-  const Vec3<Real> axis = in(CameraAskew::axis());
+  const Vec3<Real> from = ray.origin - rounded_vector<Real>(CameraAskew::eye());
+  const Vec3<Real> axis = rounded_vector<Real>(CameraAskew::axis());
   const Real along = (Real(CameraAskew::distance) - from.dot(axis)) / ray.direction.dot(axis);
   const Vec3<Real> point = from + ray.direction * along;
-  return {point.dot(in(CameraAskew::right())), point.dot(in(CameraAskew::down()))};
+  return {point.dot(rounded_vector<Real>(CameraAskew::right())),
+          point.dot(rounded_vector<Real>(CameraAskew::down()))};
 }
 
 /// The means of the two coordinates of the crossing, and of 1 - (squared distance from the

@@ -51,7 +51,7 @@ auto roulette_on_against_off(const std::string& name) {
   const RadianceAlong off(box.scene, down, always(Off(4)));
   const auto draw = [=]<class Real>(std::type_identity<Real> real, auto& source) {
     const Vec2<Real> u = next_pair<Real>(source);
-    const Vec3<Real> from(rounded<Real>(eye.x()), rounded<Real>(eye.y()), rounded<Real>(eye.z()));
+    const Vec3<Real> from = rounded_vector<Real>(eye);
     const Vec3<Real> way = Vec3<Real>(Real(30) + Real(40) * u.x(), Real(0), Real(95) + Real(40) * u.y()) - from;
     const Ray<Real> ray{from, way / way.norm(), Real(-1)};
     auto ahead = source.take(14);  // four shadow rays and three bounces

@@ -25,9 +25,7 @@ auto lobe_law(const std::string& name, double exponent) {
                      "PowerCosineLobe",
                      "Lafortune and Willems 1994",
                      [=]<class Real>(std::type_identity<Real>) {
-                       const Vec3<Real> about(rounded<Real>(axis.x()), rounded<Real>(axis.y()),
-                                              rounded<Real>(axis.z()));
-                       return Lobe<Real>(about, rounded<Real>(exponent));
+                       return Lobe<Real>(rounded_vector<Real>(axis), rounded<Real>(exponent));
                      },
                      CapDomain(1, axis),
                      8};

@@ -38,7 +38,7 @@ auto metal_weight(const std::string& name, const GreyMetal<Loss>& metal, double 
                                                                                         auto& source) {
     const auto& surface = std::get<GreyConductor<Real, Loss>>(surfaces);
     const Vec2<Real> place = next_pair<Real>(source);
-    return Real(surface.sample(direction<Real>(out), {place.x(), place.y(), source.next()}).weight[0]);
+    return Real(surface.sample(rounded_vector<Real>(out), {place.x(), place.y(), source.next()}).weight[0]);
   };
   return Estimand{name,
                   {"EnergyCompensatedConductor", "ConstantReflectance"},
@@ -77,7 +77,7 @@ auto metal_uniform(const std::string& name) {
   const auto draw = [surfaces = metal.surfaces(), out = metal.view().out()]<class Real>(std::type_identity<Real>,
                                                                                         auto& source) {
     const auto& surface = std::get<GreyConductor<Real, Loss>>(surfaces);
-    const Vec3<Real> o = direction<Real>(out);
+    const Vec3<Real> o = rounded_vector<Real>(out);
     return Importance(UniformHemisphere<Real>{},
                       [&](const Vec3<Real>& in) { return Real(surface.eval(o, in)[0] * in.z()); })
         .estimate(source);

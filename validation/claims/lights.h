@@ -12,11 +12,6 @@ namespace fairlight {
 /// Lights of unit radiance, seen from the origin: integrals over their directions, by a sampling
 /// strategy.
 
-template <class Real>
-Vec3<Real> rounded_vector(const Vec3<double>& v) {
-  return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
-}
-
 /// A sphere. The origin may lie on it.
 struct SphereFromOrigin {
   Vec3<double> centre;

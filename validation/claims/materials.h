@@ -155,17 +155,13 @@ Claim glass_energy(const std::string& name) {
 /// A metal like copper, in red, green and blue: absorbing in all channels, and most unlike an
 /// insulator in red.
 struct Copper {
-  std::array<double, 3> eta{0.22, 1.04, 1.21};
-  std::array<double, 3> k{3.7, 2.58, 2.2};
+  Rgb<double> eta{0.22, 1.04, 1.21}, k{3.7, 2.58, 2.2};
 
   template <class Real>
   Conductor<Real> surface() const {
-    const auto colour = [](const std::array<double, 3>& x) {
-      return Rgb<Real>(rounded<Real>(x[0]), rounded<Real>(x[1]), rounded<Real>(x[2]));
-    };
-    return Conductor<Real>(colour(eta), colour(k));
+    return Conductor<Real>(rounded_colour<Real>(eta), rounded_colour<Real>(k));
   }
-  double reflectance(std::size_t channel, double angle) const {
+  double reflectance(int channel, double angle) const {
     return fresnel_by_amplitudes(angle, {eta[channel], k[channel]});
   }
 };
@@ -174,7 +170,7 @@ struct Copper {
 /// quadrature.
 inline auto conductor_diffuse(const std::string& name) {
   std::vector<Reference> references;
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (int c = 0; c < 3; ++c) {
     const auto reflected = [c](double i, double) { return Copper().reflectance(c, i) * std::sin(2 * i); };
     const double mean = integrate_rectangle(reflected, 0, std::numbers::pi / 2, 0, 1).value;
     references.push_back({mean, 0, 1 + 1e-12});

@@ -7,12 +7,6 @@
 
 namespace fairlight {
 
-/// A direction, rounded to Real.
-template <class Real>
-Vec3<Real> direction(const Eigen::Vector3d& w) {
-  return {rounded<Real>(w.x()), rounded<Real>(w.y()), rounded<Real>(w.z())};
-}
-
 /// A GGX surface, and the direction that it is seen from: the height z > 0, at a fixed azimuth.
 struct GgxView {
   double alpha_x, alpha_y, z;
@@ -34,7 +28,7 @@ template <template <class> class Normals = GgxVisibleNormals>
 auto visible_normals_law(const std::string& name, const GgxView& view) {
   return LawEstimand{name, "GgxVisibleNormals", "Heitz 2018; Dupuy and Benyoub 2023",
                      [=]<class Real>(std::type_identity<Real>) {
-                       return Normals<Real>(view.facets<Ggx, Real>(), direction<Real>(view.out()));
+                       return Normals<Real>(view.facets<Ggx, Real>(), rounded_vector<Real>(view.out()));
                      },
                      LuneDomain{view.out(), Eigen::Vector3d::UnitZ()}};
 }
@@ -47,7 +41,7 @@ template <template <class> class Facets = Ggx>
 auto facet_area(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Facets<Real> facets = view.facets<Facets, Real>();
-    const Vec3<Real> out = direction<Real>(view.out());
+    const Vec3<Real> out = rounded_vector<Real>(view.out());
     return Importance(UniformHemisphere<Real>{},
                       [=](const Vec3<Real>& m) {
                         const Real facing = out.dot(m);
@@ -78,7 +72,7 @@ template <template <class> class Facets = Ggx, template <class> class Normals = 
 auto conductor_weight(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const auto surface = white_conductor<Real, Facets, Normals>(view);
-    return Real(surface.sample(direction<Real>(view.out()), next_pair<Real>(source)).weight[0]);
+    return Real(surface.sample(rounded_vector<Real>(view.out()), next_pair<Real>(source)).weight[0]);
   };
   return Estimand{name,
                   {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
@@ -94,7 +88,7 @@ template <template <class> class Facets = Ggx, template <class> class Normals = 
 auto conductor_density(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const auto surface = white_conductor<Real, Facets, Normals>(view);
-    const Vec3<Real> out = direction<Real>(view.out());
+    const Vec3<Real> out = rounded_vector<Real>(view.out());
     const Bounce<Real> bounce = surface.sample(out, next_pair<Real>(source));
     const Real p = bounce.density.value();
     return Real(surface.eval(out, bounce.in)[0] * bounce.in.z() / select(p > Real(0), p, Real(1)));
@@ -115,7 +109,7 @@ template <template <class> class Facets = Ggx>
 auto conductor_uniform(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const auto surface = white_conductor<Real, Facets, GgxVisibleNormals>(view);
-    const Vec3<Real> out = direction<Real>(view.out());
+    const Vec3<Real> out = rounded_vector<Real>(view.out());
     return Importance(UniformHemisphere<Real>{},
                       [=](const Vec3<Real>& in) { return Real(surface.eval(out, in)[0] * in.z()); })
         .estimate(source);

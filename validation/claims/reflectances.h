@@ -34,12 +34,6 @@ inline double mean_over_cosines(double low, double high, const auto& reflectance
   return integrate_rectangle(integrand, std::acos(high), std::acos(low), 0, 1).value / (high - low);
 }
 
-/// A colour, rounded to Real.
-template <class Real>
-Rgb<Real> rounded_colour(const std::array<double, 3>& x) {
-  return {rounded<Real>(x[0]), rounded<Real>(x[1]), rounded<Real>(x[2])};
-}
-
 /// A cosine that is uniform in [low, high).
 template <class Real>
 Real cosine_between(double low, double high, auto& source) {
@@ -112,13 +106,12 @@ inline auto insulator_inside(const std::string& name, bool refracted) {
 /// The reflectance of copper, whose index is complex.
 inline auto copper_reflectance(const CosineRange& range) {
   std::vector<Reference> references;
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (int c = 0; c < 3; ++c) {
     const auto reflectance = [c](double angle) { return Copper().reflectance(c, angle); };
     references.push_back({detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-12});
   }
   const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
-    const FresnelReflectance<Real> copper(detail::rounded_colour<Real>(Copper().eta),
-                                          detail::rounded_colour<Real>(Copper().k));
+    const FresnelReflectance<Real> copper(rounded_colour<Real>(Copper().eta), rounded_colour<Real>(Copper().k));
     return copper(detail::cosine_between<Real>(range.low, range.high, source));
   };
   return Estimand{std::string("fresnel.conductor.") + range.name,
@@ -132,15 +125,15 @@ inline auto copper_reflectance(const CosineRange& range) {
 
 /// The mean of (1 - c)^5 over c in [a, b] is ((1 - a)^6 - (1 - b)^6) / (6 (b - a)).
 inline auto schlick_reflectance(const CosineRange& range) {
-  static constexpr std::array<double, 3> at_normal{0.04, 0.5, 0.95};
+  const Rgb<double> at_normal(0.04, 0.5, 0.95);
   const auto& [name, a, b] = range;
   const double power = (std::pow(1 - a, 6) - std::pow(1 - b, 6)) / (6 * (b - a));
   std::vector<Reference> references;
   for (const double f : at_normal)
     references.push_back({f + (1 - f) * power, 0, (f + (1 - f) * std::pow(1 - a, 5)) * (1 + 1e-12)});
-  const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
-    return SchlickReflectance<Real>(detail::rounded_colour<Real>(at_normal))(
-        detail::cosine_between<Real>(range.low, range.high, source));
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    const SchlickReflectance<Real> schlick(rounded_colour<Real>(at_normal));
+    return schlick(detail::cosine_between<Real>(range.low, range.high, source));
   };
   return Estimand{std::string("schlick.") + name,
                   {"SchlickReflectance"},

@@ -27,7 +27,7 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
         {1 / (1 - albedo[c]), 0, most * vertices, most * std::pow(q, vertices + 1 - first) / (1 - q)});
   }
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
-    const Rgb<Real> reflectance(rounded<Real>(albedo[0]), rounded<Real>(albedo[1]), rounded<Real>(albedo[2]));
+    const Rgb<Real> reflectance = rounded_colour<Real>(albedo);
     const Lambertian<Real, Directions> surface(reflectance);
     const Vec3<Real> out(Real(0), Real(0), Real(1));
     Rgb<Real> sum = Rgb<Real>::Zero();
