@@ -85,29 +85,24 @@ auto pixel_crossings(const std::string& name, std::vector<std::string> subjects,
     const Vec2<Real> off(place.x() - rounded<Real>(askew.across()), place.y() - rounded<Real>(askew.below()));
     return Rgb<Real>(place.x(), place.y(), Real(1) - off.squaredNorm() / rounded<Real>(largest));
   };
-  return Estimand{name,
-                  std::move(subjects),
+  return estimand(name, std::move(subjects),
                   "the rays of a pixel cross a plane about its middle, in the mean, and as far from it as the "
                   "filter and the circle of confusion say",
                   "elementary; similar triangles",
-                  1,
-                  {within(askew.across()), within(askew.below()), {1 - spread / largest, -1e-9, 1}},
-                  draw};
+                  {within(askew.across()), within(askew.below()), {1 - spread / largest, -1e-9, 1}}, draw);
 }
 
 /// The crossings of a pinhole camera.
 template <class Rays = PixelRays>
 auto pinhole_crossings() {
-  return pixel_crossings<Rays>("camera.pinhole", {"Camera", "TentFilter"}, 0, 1.0 / 6, 1,
-                               []<class Real>(std::type_identity<Real>) { return TentFilter<Real>(); });
+  return pixel_crossings<Rays>("camera.pinhole", {"Camera", "TentFilter"}, 0, 1.0 / 6, 1, component<TentFilter>());
 }
 
 /// The crossings of a lens out of focus.
 template <class Rays = PixelRays>
 auto lens_crossings() {
   return pixel_crossings<Rays>("camera.lens", {"Camera", "BoxFilter", "ThinLens", "CircularAperture"}, 1.5,
-                               1.0 / 12, 0.5,
-                               []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.5)); });
+                               1.0 / 12, 0.5, component<BoxFilter>(0.5));
 }
 
 }  // namespace fairlight

@@ -144,14 +144,10 @@ auto in_lit_box(const std::string& how) {
   std::vector<Reference> references;
   for (int c = 0; c < 3; ++c)
     references.push_back({box.radiance(depth)[c], 0, (1 + depth * 3 * box.whitest()) * box.brightest()[c]});
-  return Estimand{
-      "lit_box." + how,
-      {"DirectLight", "AllLights", "RectangleBySolidAngle"},
+  return estimand(
+      "lit_box." + how, {"DirectLight", "AllLights", "RectangleBySolidAngle"},
       "inside a box of lit rectangles the terms up to depth 3 sum to Le (1 - rho^4) / (1 - rho), per channel",
-      "geometric series of the transport operator",
-      2,
-      references,
-      draw};
+      "geometric series of the transport operator", references, draw, 2);
 }
 
 }  // namespace fairlight

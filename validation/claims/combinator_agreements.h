@@ -25,13 +25,9 @@ auto one_against_all(const std::string& name) {
     const Rgb<Real> a = one(real, source);
     return Rgb<Real>(a - both(real, source));
   };
-  return Estimand{name,
-                  {"UniformLightSampler", "AllLights", "DirectLight"},
+  return estimand(name, {"UniformLightSampler", "AllLights", "DirectLight"},
                   "one of two unequal lights, weighted by their number, agrees with both, per channel",
-                  "the paper, A.1",
-                  2,
-                  references,
-                  draw};
+                  "the paper, A.1", references, draw, 2);
 }
 
 /// Roulette on against roulette off, over a patch of the floor of the Cornell box, up to four
@@ -59,14 +55,10 @@ auto roulette_on_against_off(const std::string& name) {
     return Rgb<Real>(on.along(ray, real, source) - without);
   };
   const Reference reference{0, -52, 52, 0, /*scale=*/0.15};
-  return Estimand{name,
-                  {"RouletteByReflectance", "NoRoulette", "PathTracer"},
+  return estimand(name, {"RouletteByReflectance", "NoRoulette", "PathTracer"},
                   "on the floor of the Cornell box, up to four bounces, roulette on agrees with roulette off, per "
                   "channel",
-                  "the paper, 3.2.1",
-                  30,
-                  {reference, reference, reference},
-                  draw};
+                  "the paper, 3.2.1", {reference, reference, reference}, draw, 30);
 }
 
 }  // namespace fairlight

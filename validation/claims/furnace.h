@@ -63,13 +63,9 @@ auto furnace_radiance(const std::string& name, std::vector<std::string> subjects
     const double le = vertex * furnace.radiance[c];
     references.push_back(furnace.reference_within(c, 0, GeometricSum{le, le, q}));
   }
-  return Estimand{name,
-                  std::move(subjects),
-                  furnace.description + " the radiance is Le / (1 - rho), per channel",
-                  "geometric series of the transport operator",
-                  margin_factor,
-                  references,
-                  RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
+  return estimand(name, std::move(subjects), furnace.description + " the radiance is Le / (1 - rho), per channel",
+                  "geometric series of the transport operator", references,
+                  RadianceAlong(furnace.scene, furnace.ray, always(Tracer())), margin_factor);
 }
 
 /// A furnace with a white mirror ball, which is invisible: it shows what the sphere shows. The ray
@@ -115,14 +111,11 @@ auto two_spheres(const std::string& name, std::vector<std::string> subjects, dou
     const double le = furnace.radiance[c], term = furnace.albedo[c] * le;
     references.push_back(furnace.reference_within(c, le, GeometricSum{term, largest * term, q}));
   }
-  return Estimand{name,
-                  std::move(subjects),
+  return estimand(name, std::move(subjects),
                   "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
                   "rho), per channel",
-                  "geometric series of the transport operator",
-                  3,
-                  references,
-                  RadianceAlong(furnace.scene, furnace.ray, make)};
+                  "geometric series of the transport operator", references,
+                  RadianceAlong(furnace.scene, furnace.ray, make), 3);
 }
 
 /// Paths of at most `depth` bounces against the partial sum.
@@ -138,15 +131,12 @@ auto furnace_partial_sum(const std::string& name, std::vector<std::string> subje
     for (int k = 0; k <= depth; ++k) upper += std::pow(largest_weight * furnace.albedo[c], k);
     references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
   }
-  return Estimand{
-      name,
-      std::move(subjects),
+  return estimand(
+      name, std::move(subjects),
       formatted("inside a closed sphere the terms up to depth %d sum to Le (1 - rho^%d) / (1 - rho), per channel",
                 depth, depth + 1),
-      "geometric series of the transport operator",
-      1,
-      references,
-      RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
+      "geometric series of the transport operator", references,
+      RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth))));
 }
 
 }  // namespace fairlight

@@ -69,13 +69,9 @@ auto glass_albedo(const std::string& name, const std::array<double, 3>& degrees,
     }
     return weight;
   };
-  return Estimand{name,
-                  {"Dielectric"},
+  return estimand(name, {"Dielectric"},
                   "radiance through glass: the mean weight of a bounce is F + (1 - F) / eta^2, at three angles",
-                  "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2",
-                  1,
-                  references,
-                  draw};
+                  "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2", references, draw);
 }
 
 /// For cosine-distributed `out` the mean weight is R + (1 - R) / eta^2, with R the diffuse
@@ -91,13 +87,10 @@ auto glass_diffuse(const std::string& name, bool above) {
     if (!above) out = Vec3<Real>(-out);
     return Real(detail::bounce(Glass<Real>(rounded<Real>(glass_index)), out, source).weight[0]);
   };
-  return Estimand{name,
-                  {"Dielectric", "CosineHemisphere"},
+  return estimand(name, {"Dielectric", "CosineHemisphere"},
                   "diffuse radiance through glass: the mean weight of a bounce is R + (1 - R) / eta^2",
                   "Walsh 1926; Duntley 1942",
-                  1,
-                  {{radiance_albedo(reflectance, eta), 0, largest_radiance_weight(eta) * (1 + 1e-12)}},
-                  draw};
+                  {{radiance_albedo(reflectance, eta), 0, largest_radiance_weight(eta) * (1 + 1e-12)}}, draw);
 }
 
 /// The diffuse reflectance of glass from outside: the mean of 2 F cos over cosines that are uniform
@@ -112,13 +105,9 @@ inline auto fresnel_diffuse(const std::string& name) {
     });
     return Real(estimator.estimate(source));
   };
-  return Estimand{name,
-                  {"fresnel_dielectric", "Importance"},
-                  "glass reflects of diffuse light what Walsh and Duntley say",
-                  "Walsh 1926; Duntley 1942",
-                  1,
-                  {{diffuse_reflectance_outside(detail::glass_index), 0, upper}},
-                  draw};
+  return estimand(name, {"fresnel_dielectric", "Importance"},
+                  "glass reflects of diffuse light what Walsh and Duntley say", "Walsh 1926; Duntley 1942",
+                  {{diffuse_reflectance_outside(detail::glass_index), 0, upper}}, draw);
 }
 
 /// The weight of a bounce off glass without the factor 1 / eta^2 of radiance: w eta^2 if it is
@@ -133,23 +122,16 @@ typename Glass::Scalar energy_weight(const Glass& glass, const Vec3<typename Gla
 }
 
 /// Conservation of energy: this weight is 1 for every direction.
-template <class Real, template <class> class Glass>
-Claim glass_energy(const std::string& name) {
-  const auto check = [](const Trial& trial) {
-    return check_constant<Real>(trial, 1, 4, [](auto& source) {
-      const Glass<Real> glass(rounded<Real>(detail::glass_index));
-      const Vec3<Real> out = UniformSphereArea<Real>(Real(1)).sample(next_pair<Real>(source));
-      return energy_weight(glass, out, detail::bounce(glass, out, source));
-    });
+template <template <class> class Glass>
+auto glass_energy() {
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Glass<Real> glass(rounded<Real>(detail::glass_index));
+    const Vec3<Real> out = UniformSphereArea<Real>(Real(1)).sample(next_pair<Real>(source));
+    return energy_weight(glass, out, detail::bounce(glass, out, source));
   };
-  return {.name = name + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = {"Dielectric"},
-          .statement = "what glass does not reflect it refracts: weight eta^2 is 1 for every bounce, to 4 ulp",
-          .source = "conservation of energy",
-          .margin_factor = 1,
-          .check = check,
-          .real = real_name<Real>()};
+  return constant("dielectric.energy", {"Dielectric"},
+                  "what glass does not reflect it refracts: weight eta^2 is 1 for every bounce",
+                  "conservation of energy", 1, 4, draw);
 }
 
 /// A metal like copper, in red, green and blue: absorbing in all channels, and most unlike an
@@ -179,43 +161,20 @@ inline auto conductor_diffuse(const std::string& name) {
     const Vec3<Real> out = CosineHemisphere<Real>().sample(next_pair<Real>(source));
     return detail::bounce(Copper().surface<Real>(), out, source).weight;
   };
-  return Estimand{name,
-                  {"Conductor", "fresnel_conductor", "CosineHemisphere"},
+  return estimand(name, {"Conductor", "fresnel_conductor", "CosineHemisphere"},
                   "copper reflects of diffuse light the integral of Fresnel's equations, per channel",
-                  "Born and Wolf, 14.2, in complex amplitudes; quadrature",
-                  1,
-                  references,
-                  draw};
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", references, draw);
 }
 
-/// The row for a surface where every bounce from `angle` has the same weight, its albedo `mean`.
+/// A surface where every bounce from `angle` has the same weight, its albedo `mean`.
 /// `make(type_identity<Real>)` gives the surface.
-template <class Real, class Make>
-Claim constant_weight(const std::string& name, std::vector<std::string> subjects, const std::string& source,
-                      double angle, double mean, const Make& make) {
-  const auto check = [=](const Trial& trial) {
-    const auto surface = make(std::type_identity<Real>{});
-    return check_constant<Real>(trial, mean, 8, [&](auto& numbers) {
-      return Real(detail::bounce(surface, detail::out_at<Real>(angle, true), numbers).weight[0]);
-    });
-  };
-  return {.name = name + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = std::move(subjects),
-          .statement = "the weight of every bounce is the albedo, to 8 ulp",
-          .source = source,
-          .margin_factor = 1,
-          .check = check,
-          .real = real_name<Real>()};
-}
-
-/// Adds this row in double and in packets.
 template <class Make>
-void add_constant_weight(std::vector<Claim>& claims, const std::string& name,
-                         const std::vector<std::string>& subjects, const std::string& source, double angle,
-                         double mean, const Make& make) {
-  claims.push_back(constant_weight<double>(name, subjects, source, angle, mean, make));
-  claims.push_back(constant_weight<Packet>(name, subjects, source, angle, mean, make));
+auto constant_weight(const std::string& name, std::vector<std::string> subjects, const std::string& source,
+                     double angle, double mean, const Make& make, int ulps = 8) {
+  const auto draw = [=]<class Real>(std::type_identity<Real> real, auto& numbers) {
+    return Real(detail::bounce(make(real), detail::out_at<Real>(angle, true), numbers).weight[0]);
+  };
+  return constant(name, std::move(subjects), "the weight of every bounce is the albedo", source, mean, ulps, draw);
 }
 
 }  // namespace fairlight

@@ -50,13 +50,9 @@ auto facet_area(const std::string& name, const GgxView& view) {
         .estimate(source);
   };
   const double area = view.z * (1 + GgxAlbedo{view.alpha_x, view.alpha_y}.lambda(view.out()));
-  return Estimand{name,
-                  {"Ggx", "UniformHemisphere"},
+  return estimand(name, {"Ggx", "UniformHemisphere"},
                   "the facets that face a direction have the area cos(theta) (1 + Lambda), seen from there",
-                  "Heitz 2014",
-                  1,
-                  {{area, 0, 2 / (view.alpha_x * view.alpha_y) * (1 + 1e-12)}},
-                  draw};
+                  "Heitz 2014", {{area, 0, 2 / (view.alpha_x * view.alpha_y) * (1 + 1e-12)}}, draw);
 }
 
 /// A conductor of white facets. A fault can replace its parts.
@@ -74,13 +70,9 @@ auto conductor_weight(const std::string& name, const GgxView& view) {
     const auto surface = white_conductor<Real, Facets, Normals>(view);
     return Real(surface.sample(rounded_vector<Real>(view.out()), next_pair<Real>(source)).weight[0]);
   };
-  return Estimand{name,
-                  {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
+  return estimand(name, {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
                   "the weight of a bounce off white facets has the albedo as its mean",
-                  "quadrature over the slopes; Walter et al. 2007",
-                  1,
-                  {{view.albedo(), 0, 1.01}},
-                  draw};
+                  "quadrature over the slopes; Walter et al. 2007", {{view.albedo(), 0, 1.01}}, draw);
 }
 
 /// The same from `eval` and the density of the bounce; 0 if there is none.
@@ -93,13 +85,9 @@ auto conductor_density(const std::string& name, const GgxView& view) {
     const Real p = bounce.density.value();
     return Real(surface.eval(out, bounce.in)[0] * bounce.in.z() / select(p > Real(0), p, Real(1)));
   };
-  return Estimand{name,
-                  {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
+  return estimand(name, {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
                   "f cos / p of the bounces off white facets has the albedo as its mean",
-                  "quadrature over the slopes; Walter et al. 2007",
-                  1,
-                  {{view.albedo(), 0, 1.01}},
-                  draw};
+                  "quadrature over the slopes; Walter et al. 2007", {{view.albedo(), 0, 1.01}}, draw);
 }
 
 /// The same from uniform directions.
@@ -115,13 +103,10 @@ auto conductor_uniform(const std::string& name, const GgxView& view) {
         .estimate(source);
   };
   const double stretched = view.z * (1 + 2 * GgxAlbedo{view.alpha_x, view.alpha_y}.lambda(view.out()));
-  return Estimand{name,
-                  {"RoughConductor", "UniformHemisphere"},
+  return estimand(name, {"RoughConductor", "UniformHemisphere"},
                   "the integral of f cos over uniform directions is the albedo of white facets",
                   "quadrature over the slopes; Walter et al. 2007",
-                  1,
-                  {{view.albedo(), 0, (1 + 1e-12) / (view.alpha_x * view.alpha_y * stretched)}},
-                  draw};
+                  {{view.albedo(), 0, (1 + 1e-12) / (view.alpha_x * view.alpha_y * stretched)}}, draw);
 }
 
 }  // namespace fairlight

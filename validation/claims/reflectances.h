@@ -61,14 +61,10 @@ inline auto insulator_outside(const CosineRange& range) {
       reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(insulator_indices[c]));
     return reflected;
   };
-  return Estimand{
-      std::string("fresnel.dielectric.outside.") + range.name,
-      {"fresnel_dielectric"},
+  return estimand(
+      std::string("fresnel.dielectric.outside.") + range.name, {"fresnel_dielectric"},
       "three insulators reflect from outside the integral of Fresnel's equations, over a range of cosines",
-      "Born and Wolf, 1.5.2, in the angles; quadrature",
-      1,
-      references,
-      draw};
+      "Born and Wolf, 1.5.2, in the angles; quadrature", references, draw);
 }
 
 /// The reflectance of an insulator from inside. Over all cosines: 1 up to the critical cosine, the
@@ -93,14 +89,10 @@ inline auto insulator_inside(const std::string& name, bool refracted) {
     }
     return reflected;
   };
-  return Estimand{
-      name,
-      {"fresnel_dielectric"},
+  return estimand(
+      name, {"fresnel_dielectric"},
       "three insulators reflect from inside the integral of Fresnel's equations, and all up to the critical angle",
-      "Born and Wolf, 1.5.2, in the angles; quadrature",
-      1,
-      references,
-      draw};
+      "Born and Wolf, 1.5.2, in the angles; quadrature", references, draw);
 }
 
 /// The reflectance of copper, whose index is complex.
@@ -114,13 +106,9 @@ inline auto copper_reflectance(const CosineRange& range) {
     const FresnelReflectance<Real> copper(rounded_colour<Real>(Copper().eta), rounded_colour<Real>(Copper().k));
     return copper(detail::cosine_between<Real>(range.low, range.high, source));
   };
-  return Estimand{std::string("fresnel.conductor.") + range.name,
-                  {"FresnelReflectance", "fresnel_conductor"},
+  return estimand(std::string("fresnel.conductor.") + range.name, {"FresnelReflectance", "fresnel_conductor"},
                   "copper reflects the integral of Fresnel's equations, over a range of cosines",
-                  "Born and Wolf, 14.2, in complex amplitudes; quadrature",
-                  1,
-                  references,
-                  draw};
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", references, draw);
 }
 
 /// The mean of (1 - c)^5 over c in [a, b] is ((1 - a)^6 - (1 - b)^6) / (6 (b - a)).
@@ -135,13 +123,9 @@ inline auto schlick_reflectance(const CosineRange& range) {
     const SchlickReflectance<Real> schlick(rounded_colour<Real>(at_normal));
     return schlick(detail::cosine_between<Real>(range.low, range.high, source));
   };
-  return Estimand{std::string("schlick.") + name,
-                  {"SchlickReflectance"},
+  return estimand(std::string("schlick.") + name, {"SchlickReflectance"},
                   "Schlick's reflectance has the integral of a fifth power, over a range of cosines",
-                  "elementary; Schlick 1994",
-                  1,
-                  references,
-                  draw};
+                  "elementary; Schlick 1994", references, draw);
 }
 
 }  // namespace fairlight

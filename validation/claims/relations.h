@@ -119,13 +119,10 @@ auto same_means(const RelatedViews& views, const PictureMeans& means) {
     const Real a = one(real, place, source) * rounded<Real>(factor);
     return Real(other(real, place, means.same_numbers ? same : source) - a);
   };
-  return Estimand{views.name,
-                  {"PathTracer", "DirectLight"},
-                  views.statement + (means.same_numbers ? ", path by path" : ""),
-                  "the light transport equation",
-                  means.margin_factor,
-                  {{0, -means.largest, means.largest, 0, means.mean, Sides::both, means.rounding}},
-                  draw};
+  return estimand(views.name, {"PathTracer", "DirectLight"},
+                  views.statement + (means.same_numbers ? ", path by path" : ""), "the light transport equation",
+                  {{0, -means.largest, means.largest, 0, means.mean, Sides::both, means.rounding}}, draw,
+                  means.margin_factor);
 }
 
 /// The parameters of a comparison of sets with sets of twice as many samples.

@@ -41,13 +41,8 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
     }
     return sum;
   };
-  return Estimand{name,
-                  {subject},
-                  "bounces without end carry 1 / (1 - albedo) together, per channel",
-                  "geometric series",
-                  1,
-                  references,
-                  draw};
+  return estimand(name, {subject}, "bounces without end carry 1 / (1 - albedo) together, per channel",
+                  "geometric series", references, draw);
 }
 
 /// The same without roulette at the first bounce.
@@ -81,10 +76,8 @@ auto walk_length(const std::string& name, const std::string& subject, const std:
     }
     return length;
   };
-  return Estimand{name,      {subject},
-                  statement, "geometric series; the paper, 3.2.1",
-                  2,         {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}},
-                  draw};
+  return estimand(name, {subject}, statement, "geometric series; the paper, 3.2.1",
+                  {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}}, draw, 2);
 }
 
 template <class Roulette>

@@ -44,13 +44,10 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
     const Rgb<Real> difference = a.along(ray, real, source) - by_other;
     return Real((difference[0] + difference[1] + difference[2]) / Real(3));
   };
-  return Estimand{name,
-                  std::move(subjects),
+  return estimand(name, std::move(subjects),
                   "the mean of the picture of " + comparison.scene + " is the same by both strategies",
-                  "the same integral",
-                  comparison.margin_factor,
-                  {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}},
-                  draw};
+                  "the same integral", {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}}, draw,
+                  comparison.margin_factor);
 }
 
 /// A square of a picture; (0,0) is the upper left corner, (1,1) the lower right one.
