@@ -36,6 +36,12 @@ Real max_channel(const Rgb<Real>& colour) {
   return max(max(colour[0], colour[1]), colour[2]);
 }
 
+/// The mean of the channels.
+template <class Real>
+Real mean_channel(const Rgb<Real>& colour) {
+  return (colour[0] + colour[1] + colour[2]) / Real(3);
+}
+
 /// Zero of a number, vector or colour type.
 template <class Value>
 Value zero() {

@@ -51,6 +51,9 @@ auto estimand(std::string name, std::vector<std::string> subjects, std::string s
                         margin_factor,   std::move(references), std::move(draw)};
 }
 
+/// The references of the channels of a colour: reference(0), reference(1), reference(2).
+std::vector<Reference> for_channels(const auto& reference) { return {reference(0), reference(1), reference(2)}; }
+
 /// The floor of a claim's margin, however fine the run's margin is; 0 means no floor. It applies
 /// where the references themselves carry rounding, such as the positions in a scene far from the
 /// origin. Where only the rounding of floats is too coarse for a margin, there is no floor, and the

@@ -14,11 +14,10 @@ namespace fairlight {
 template <class One, class All>
 auto one_against_all(const std::string& name) {
   const SpheresOverPlane floor = two_lights();
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const double all = floor.sum_of_cone_terms(c);
-    references.push_back({0, -all, 2 * all, 0, floor.reference(c)});
-  }
+    return Reference{0, -all, 2 * all, 0, floor.reference(c)};
+  };
   const RadianceAlong one(floor.scene, floor.ray, always(One(1)));
   const RadianceAlong both(floor.scene, floor.ray, always(All(1)));
   const auto draw = [=]<class Real>(std::type_identity<Real> real, auto& source) {
@@ -27,7 +26,7 @@ auto one_against_all(const std::string& name) {
   };
   return estimand(name, {"UniformLightSampler", "AllLights", "DirectLight"},
                   "one of two unequal lights, weighted by their number, agrees with both, per channel",
-                  "the paper, A.1", references, draw, 2);
+                  "the paper, A.1", for_channels(reference), draw, 2);
 }
 
 /// Roulette on against roulette off, over a patch of the floor of the Cornell box, up to four

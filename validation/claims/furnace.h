@@ -58,13 +58,12 @@ auto furnace_radiance(const std::string& name, std::vector<std::string> subjects
   // shadow rays the terms of depth 1 and more come one vertex earlier, times rho, so n vertices
   // bring 1 + rho n instead of n. That is more only for small n, far below the bound.
   const double q = furnace.albedo.maxCoeff();
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const double le = vertex * furnace.radiance[c];
-    references.push_back(furnace.reference_within(c, 0, GeometricSum{le, le, q}));
-  }
+    return furnace.reference_within(c, 0, GeometricSum{le, le, q});
+  };
   return estimand(name, std::move(subjects), furnace.description + " the radiance is Le / (1 - rho), per channel",
-                  "geometric series of the transport operator", references,
+                  "geometric series of the transport operator", for_channels(reference),
                   RadianceAlong(furnace.scene, furnace.ray, always(Tracer())), margin_factor);
 }
 
@@ -106,15 +105,14 @@ auto two_spheres(const std::string& name, std::vector<std::string> subjects, dou
   // choice by power, 1 to 49, also 4.1. Roulette as in furnace_radiance.
   const Furnace furnace = furnace_with_another();
   const double q = furnace.albedo.maxCoeff();
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const double le = furnace.radiance[c], term = furnace.albedo[c] * le;
-    references.push_back(furnace.reference_within(c, le, GeometricSum{term, largest * term, q}));
-  }
+    return furnace.reference_within(c, le, GeometricSum{term, largest * term, q});
+  };
   return estimand(name, std::move(subjects),
                   "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
                   "rho), per channel",
-                  "geometric series of the transport operator", references,
+                  "geometric series of the transport operator", for_channels(reference),
                   RadianceAlong(furnace.scene, furnace.ray, make), 3);
 }
 
@@ -125,17 +123,16 @@ template <class Tracer>
 auto furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
                          double largest_weight) {
   const Furnace furnace;
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     double upper = 0;
     for (int k = 0; k <= depth; ++k) upper += std::pow(largest_weight * furnace.albedo[c], k);
-    references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
-  }
+    return Reference{furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)};
+  };
   return estimand(
       name, std::move(subjects),
       formatted("inside a closed sphere the terms up to depth %d sum to Le (1 - rho^%d) / (1 - rho), per channel",
                 depth, depth + 1),
-      "geometric series of the transport operator", references,
+      "geometric series of the transport operator", for_channels(reference),
       RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth))));
 }
 

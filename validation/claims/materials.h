@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include <fairlight/estimators/conductor.h>
 #include <fairlight/estimators/dielectric.h>
@@ -50,28 +49,26 @@ Bounce<typename Surface::Scalar> bounce(const Surface& surface, const Vec3<typen
 /// The albedo at three angles [degrees] from one side, one for each channel, against Fresnel's
 /// equations in the angles.
 template <template <class> class Glass>
-auto glass_albedo(const std::string& name, const std::array<double, 3>& degrees, bool above) {
+auto glass_albedo(const std::string& name, const Rgb<double>& degrees, bool above) {
   using detail::glass_index;
   const double eta = above ? glass_index : 1 / glass_index;
-  std::array<double, 3> angles{};
-  std::vector<Reference> references;
-  for (std::size_t c = 0; c < 3; ++c) {
-    angles[c] = degrees[c] * std::numbers::pi / 180;
-    const double mean = radiance_albedo(fresnel_by_angles(angles[c], eta), eta);
-    references.push_back({mean, 0, largest_radiance_weight(eta) * (1 + 1e-12)});
-  }
+  const Rgb<double> angles = degrees * (std::numbers::pi / 180);
+  const auto reference = [&](int c) {
+    return Reference{radiance_albedo(fresnel_by_angles(angles[c], eta), eta), 0,
+                     largest_radiance_weight(eta) * (1 + 1e-12)};
+  };
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Glass<Real> glass(rounded<Real>(glass_index));
     Rgb<Real> weight;
     for (int c = 0; c < 3; ++c) {
-      const Vec3<Real> out = detail::out_at<Real>(angles[static_cast<std::size_t>(c)], above);
+      const Vec3<Real> out = detail::out_at<Real>(angles[c], above);
       weight[c] = detail::bounce(glass, out, source).weight[0];
     }
     return weight;
   };
   return estimand(name, {"Dielectric"},
                   "radiance through glass: the mean weight of a bounce is F + (1 - F) / eta^2, at three angles",
-                  "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2", references, draw);
+                  "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2", for_channels(reference), draw);
 }
 
 /// For cosine-distributed `out` the mean weight is R + (1 - R) / eta^2, with R the diffuse
@@ -151,19 +148,17 @@ struct Copper {
 /// The reflectance of a smooth conductor for diffuse light: F sin(2 i) over the angle, by
 /// quadrature.
 inline auto conductor_diffuse(const std::string& name) {
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [](int c) {
     const auto reflected = [c](double i, double) { return Copper().reflectance(c, i) * std::sin(2 * i); };
-    const double mean = integrate_rectangle(reflected, 0, std::numbers::pi / 2, 0, 1).value;
-    references.push_back({mean, 0, 1 + 1e-12});
-  }
+    return Reference{integrate_rectangle(reflected, 0, std::numbers::pi / 2, 0, 1).value, 0, 1 + 1e-12};
+  };
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
     const Vec3<Real> out = CosineHemisphere<Real>().sample(next_pair<Real>(source));
     return detail::bounce(Copper().surface<Real>(), out, source).weight;
   };
   return estimand(name, {"Conductor", "fresnel_conductor", "CosineHemisphere"},
                   "copper reflects of diffuse light the integral of Fresnel's equations, per channel",
-                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", references, draw);
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", for_channels(reference), draw);
 }
 
 /// A surface where every bounce from `angle` has the same weight, its albedo `mean`.

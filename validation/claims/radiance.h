@@ -20,6 +20,9 @@ class RadianceAlong {
         tracers_(make(std::type_identity<double>{}), make(std::type_identity<Packet>{})),
         ray_(ray) {}
 
+  /// For `along` alone.
+  RadianceAlong(const Scene& scene, const Make& make) : RadianceAlong(scene, {{0, 0, 0}, {0, 0, 1}, -1}, make) {}
+
   template <class Real, class Source>
   Rgb<Real> operator()(std::type_identity<Real> real, Source& source) const {
     const Ray<Real> ray{rounded_vector<Real>(ray_.origin), rounded_vector<Real>(ray_.direction),

@@ -97,18 +97,17 @@ inline auto insulator_inside(const std::string& name, bool refracted) {
 
 /// The reflectance of copper, whose index is complex.
 inline auto copper_reflectance(const CosineRange& range) {
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const auto reflectance = [c](double angle) { return Copper().reflectance(c, angle); };
-    references.push_back({detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-12});
-  }
+    return Reference{detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-12};
+  };
   const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
     const FresnelReflectance<Real> copper(rounded_colour<Real>(Copper().eta), rounded_colour<Real>(Copper().k));
     return copper(detail::cosine_between<Real>(range.low, range.high, source));
   };
   return estimand(std::string("fresnel.conductor.") + range.name, {"FresnelReflectance", "fresnel_conductor"},
                   "copper reflects the integral of Fresnel's equations, over a range of cosines",
-                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", references, draw);
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", for_channels(reference), draw);
 }
 
 /// The mean of (1 - c)^5 over c in [a, b] is ((1 - a)^6 - (1 - b)^6) / (6 (b - a)).
@@ -116,16 +115,17 @@ inline auto schlick_reflectance(const CosineRange& range) {
   const Rgb<double> at_normal(0.04, 0.5, 0.95);
   const auto& [name, a, b] = range;
   const double power = (std::pow(1 - a, 6) - std::pow(1 - b, 6)) / (6 * (b - a));
-  std::vector<Reference> references;
-  for (const double f : at_normal)
-    references.push_back({f + (1 - f) * power, 0, (f + (1 - f) * std::pow(1 - a, 5)) * (1 + 1e-12)});
+  const auto reference = [&](int c) {
+    const double f = at_normal[c];
+    return Reference{f + (1 - f) * power, 0, (f + (1 - f) * std::pow(1 - a, 5)) * (1 + 1e-12)};
+  };
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const SchlickReflectance<Real> schlick(rounded_colour<Real>(at_normal));
     return schlick(detail::cosine_between<Real>(range.low, range.high, source));
   };
   return estimand(std::string("schlick.") + name, {"SchlickReflectance"},
                   "Schlick's reflectance has the integral of a fifth power, over a range of cosines",
-                  "elementary; Schlick 1994", references, draw);
+                  "elementary; Schlick 1994", for_channels(reference), draw);
 }
 
 }  // namespace fairlight

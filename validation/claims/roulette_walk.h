@@ -21,11 +21,8 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
   const Rgb<double> albedo(0.125, 0.25, 0.05);
   const double q = albedo.maxCoeff();
   const int vertices = 16 + first;  // the tail is negligible for the finest margins
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
-    references.push_back(
-        {1 / (1 - albedo[c]), 0, most * vertices, most * std::pow(q, vertices + 1 - first) / (1 - q)});
-  }
+  const double slack = most * std::pow(q, vertices + 1 - first) / (1 - q);
+  const auto reference = [&](int c) { return Reference{1 / (1 - albedo[c]), 0, most * vertices, slack}; };
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Rgb<Real> reflectance = rounded_colour<Real>(albedo);
     const Lambertian<Real, Directions> surface(reflectance);
@@ -42,7 +39,7 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
     return sum;
   };
   return estimand(name, {subject}, "bounces without end carry 1 / (1 - albedo) together, per channel",
-                  "geometric series", references, draw);
+                  "geometric series", for_channels(reference), draw);
 }
 
 /// The same without roulette at the first bounce.
