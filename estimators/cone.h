@@ -41,16 +41,6 @@ class UniformCone {
     return UniformCone(sine_squared / (Real(1) + sqrt(Real(1) - sine_squared)));
   }
 
-  /// From theta_max in (0,pi] rad.
-  static UniformCone of_half_angle(Real theta) {
-    using std::sin;
-    if (!all_positive(theta) || !all(theta <= Real(pi<Real>))) {
-      throw std::invalid_argument("a cone's half angle must be in (0,pi] (its solid angle divides)");
-    }
-    const Real half = sin(theta / Real(2));
-    return UniformCone(Real(2) * half * half);
-  }
-
   /// [sr]
   Real solid_angle() const { return Real(2) * pi<Real> * height_; }
 

@@ -5,11 +5,10 @@
 namespace fairlight {
 
 /// The measures of densities.
-struct SolidAngle {};           ///< [1/sr]
-struct ProjectedSolidAngle {};  ///< [1/sr], the measure cos(theta) dw
-struct Area {};                 ///< [1/m^2]; on the image plane [1/pixel^2]
-struct UnitCube {};             ///< Lebesgue measure on [0,1)^n, dimensionless
-struct Discrete {};             ///< counting measure; the density is a probability
+struct SolidAngle {};  ///< [1/sr]
+struct Area {};        ///< [1/m^2]; on the image plane [1/pixel^2]
+struct UnitCube {};    ///< Lebesgue measure on [0,1)^n, dimensionless
+struct Discrete {};    ///< counting measure; the density is a probability
 
 /// A probability density, tagged with its measure. Densities of different measures do not mix; a
 /// named function changes the measure, given the distance and the cosine.
@@ -47,12 +46,6 @@ Density<SolidAngle, Real> to_solid_angle(Density<Area, Real> density, Real dista
 template <class Real>
 Density<Area, Real> to_area(Density<SolidAngle, Real> density, Real distance, Real cosine) {
   return Density<Area, Real>(density.value() * cosine / (distance * distance));
-}
-
-/// p_perp = p_w / cos, with the cosine at the receiving surface.
-template <class Real>
-Density<ProjectedSolidAngle, Real> to_projected_solid_angle(Density<SolidAngle, Real> density, Real cosine) {
-  return Density<ProjectedSolidAngle, Real>(density.value() / cosine);
 }
 
 }  // namespace fairlight

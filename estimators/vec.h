@@ -19,11 +19,27 @@ using Vec3 = Eigen::Matrix<Real, 3, 1>;
 template <class Real>
 using Rgb = Eigen::Array<Real, 3, 1>;
 
+/// A vector or a colour, rounded to Real.
+template <class Real>
+Vec3<Real> rounded_vector(const Vec3<double>& v) {
+  return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
+}
+template <class Real>
+Rgb<Real> rounded_colour(const Rgb<double>& colour) {
+  return {rounded<Real>(colour[0]), rounded<Real>(colour[1]), rounded<Real>(colour[2])};
+}
+
 /// The largest channel.
 template <class Real>
 Real max_channel(const Rgb<Real>& colour) {
   using std::max;
   return max(max(colour[0], colour[1]), colour[2]);
+}
+
+/// The mean of the channels.
+template <class Real>
+Real mean_channel(const Rgb<Real>& colour) {
+  return (colour[0] + colour[1] + colour[2]) / Real(3);
 }
 
 /// Zero of a number, vector or colour type.

@@ -99,9 +99,10 @@ class Camera {
   /// width x height image.
   template <class Real>
   Ray<Real> ray(Real x, Real y, int width, int height) const {
-    const Vec3<Real> direction =
-        in<Real>(look_) + in<Real>(right_) * across(x, width, height) + in<Real>(down_) * along(y, height);
-    return starting(in<Real>(settings_.eye), direction);
+    const Vec3<Real> direction = rounded_vector<Real>(look_) +
+                                 rounded_vector<Real>(right_) * across(x, width, height) +
+                                 rounded_vector<Real>(down_) * along(y, height);
+    return starting(rounded_vector<Real>(settings_.eye), direction);
   }
 
   /// The ray through the same point of the image and a random point of the lens. Takes two numbers
@@ -112,15 +113,11 @@ class Camera {
     const Real scale = rounded<Real>(settings_.image_height);
     const Vec3<Real> pinhole(scale * across(x, width, height), scale * along(y, height), Real(1));
     const LensRay<Real> local = through_lens<Real>(pinhole, next_pair<Real>(source));
-    return starting(Vec3<Real>(in<Real>(settings_.eye) + to_world(local.origin)), to_world(local.direction));
+    return starting(Vec3<Real>(rounded_vector<Real>(settings_.eye) + to_world(local.origin)),
+                    to_world(local.direction));
   }
 
  private:
-  template <class Real>
-  static Vec3<Real> in(const Vec3<double>& v) {
-    return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
-  }
-
   // The position on the image, from its middle, in units of the image's height.
   template <class Real>
   static Real across(Real x, int width, int height) {
@@ -144,8 +141,8 @@ class Camera {
   template <class Real>
   Vec3<Real> to_world(const Vec3<Real>& local) const {
     const Real scale = rounded<Real>(settings_.image_height);
-    return in<Real>(look_) * local.z() + in<Real>(right_) * (local.x() / scale) +
-           in<Real>(down_) * (local.y() / scale);
+    return rounded_vector<Real>(look_) * local.z() + rounded_vector<Real>(right_) * (local.x() / scale) +
+           rounded_vector<Real>(down_) * (local.y() / scale);
   }
 
   // A ray from a point of the lens; `direction` has the component 1 along the axis.

@@ -10,19 +10,23 @@
 
 namespace fairlight {
 
-void for_each_unit(int units, int threads, const std::function<void(int)>& work) {
+void for_each_unit(std::size_t units, int threads, const std::function<void(std::size_t)>& work,
+                   const Progress& progress) {
   if (threads < 1) throw std::invalid_argument("the number of threads must be at least 1");
-  std::atomic<int> next = 0;
+  std::atomic<std::size_t> next = 0;
   std::atomic<bool> failed = false;
   std::mutex mutex;
   std::exception_ptr failure;
-  int failed_unit = units;
+  std::size_t failed_unit = units, done = 0;
   const auto serve = [&] {
     while (!failed) {
-      const int unit = next++;
+      const std::size_t unit = next++;
       if (unit >= units) return;
       try {
         work(unit);
+        if (!progress) continue;
+        const std::lock_guard lock(mutex);
+        progress(static_cast<double>(++done) / static_cast<double>(units));
       } catch (...) {
         const std::lock_guard lock(mutex);
         failed = true;
@@ -35,7 +39,7 @@ void for_each_unit(int units, int threads, const std::function<void(int)>& work)
   };
   {
     std::vector<std::jthread> others;
-    for (int i = 1; i < std::min(threads, units); ++i) others.emplace_back(serve);
+    for (std::size_t i = 1; i < std::min(static_cast<std::size_t>(threads), units); ++i) others.emplace_back(serve);
     serve();
   }
   if (failure) std::rethrow_exception(failure);

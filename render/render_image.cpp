@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <mutex>
+#include <atomic>
 
 #include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
@@ -87,14 +87,11 @@ RenderCost render_image(const View& view, const RenderSettings& settings, std::u
   const auto renderer = tile_renderer(settings.real, choose_instructions(instructions), tiled);
   const std::vector<Tile> units = tiles(film.width(), film.height());
   RenderCost cost;
-  std::mutex mutex;
-  int done = 0;
-  for_each_unit(static_cast<int>(units.size()), threads, [&](int unit) {
-    const std::uint64_t rays = renderer->render(units[static_cast<std::size_t>(unit)], range, film);
-    const std::lock_guard lock(mutex);
-    cost.rays += rays;
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(units.size()));
-  });
+  std::atomic<std::uint64_t> rays = 0;
+  for_each_unit(
+      units.size(), threads, [&](std::size_t unit) { rays += renderer->render(units[unit], range, film); },
+      progress);
+  cost.rays = rays;
   cost.paths = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height()) *
                (range.last - range.first);
   return cost;

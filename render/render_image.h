@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include <fairlight/render/built_in_scenes.h>
 #include <fairlight/render/film.h>
+#include <fairlight/render/parallel.h>
 #include <fairlight/render/settings.h>
 
 namespace fairlight {
@@ -26,9 +26,6 @@ struct RenderCost {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;  ///< camera rays, bounces and shadow rays
 };
-
-/// Called with the fraction done, in (0,1], from one thread at a time.
-using Progress = std::function<void(double)>;
 
 /// Adds samples `range` of every pixel to the film. With sets of points, whose samples depend on
 /// each other, one draw of the film is the mean of a set. A sample is a function of (seed, pixel,

@@ -30,6 +30,14 @@ double finest_margin(const std::vector<Reference>& references);
 /// Fills channels[c][i] with channel c of draw first + i, for every i. The caller sets the sizes.
 using DrawBlock = std::function<void(std::uint64_t first, std::vector<std::vector<double>>& channels)>;
 
+/// The draws of one channel: `draw(i)` gives draw i.
+template <class Draw>
+DrawBlock one_channel(const Draw& draw) {
+  return [draw](std::uint64_t first, std::vector<std::vector<double>>& channels) mutable {
+    for (std::size_t i = 0; i < channels[0].size(); ++i) channels[0][i] = draw(first + i);
+  };
+}
+
 /// The core test on every channel of an estimator; each channel has an equal part of alpha.
 /// Certified when all channels are, biased when one is, undecided when the cap on draws comes first
 /// (on right code as rare as a false alarm). A draw outside its range is `biased`, with a note that

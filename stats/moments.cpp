@@ -93,11 +93,6 @@ double Moments::skewness() const {
   return m2_ == 0 ? 0 : std::sqrt(static_cast<double>(count_)) * m3_ / (m2_ * std::sqrt(m2_));
 }
 
-double Moments::kurtosis() const {
-  if (count_ == 0) throw std::logic_error("a kurtosis needs at least one draw");
-  return m2_ == 0 ? 0 : static_cast<double>(count_) * m4_ / (m2_ * m2_);
-}
-
 double Moments::variance_of_variance() const {
   return m2_ == 0 ? 0 : m4_ / (m2_ * m2_) - 1 / static_cast<double>(count_);
 }

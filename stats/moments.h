@@ -38,8 +38,6 @@ class Moments {
   double standard_error() const;
   /// g1 = m3 / m2^(3/2), 0 where all draws are equal. Throws std::logic_error without draws.
   double skewness() const;
-  /// m4 / m2^2, which is 3 for a normal law; 0 where all draws are equal. Throws as skewness does.
-  double kurtosis() const;
   /// The relative variance of the variance of the mean, sum d^4 / (sum d^2)^2 - 1/n; 0 where all
   /// draws are equal. Below 0.1 the standard error can be trusted. Source: Estes and Cashwell 1978
   /// (as in MCNP).

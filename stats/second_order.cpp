@@ -3,8 +3,6 @@
 #include <stdexcept>
 #include <string>
 
-#include <boost/math/distributions/normal.hpp>
-
 #include <fairlight/stats/second_order.h>
 
 namespace fairlight {
@@ -25,18 +23,11 @@ double pair_variance(const BoundedEstimator& e, std::uint64_t i) {
   return difference * difference / 2;
 }
 
-Finding test_indexed(const Trial& trial, const Reference& reference,
-                     const std::function<double(std::uint64_t)>& draw) {
-  return test_means(trial, {reference}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-    for (std::size_t i = 0; i < channels[0].size(); ++i) channels[0][i] = draw(first + i);
-  });
-}
-
 }  // namespace
 
 Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator, Sides sides) {
   const Reference reference{variance, 0, range_variance(estimator), 0, variance, sides};
-  return test_indexed(trial, reference, [&](std::uint64_t i) { return pair_variance(estimator, i); });
+  return test_means(trial, {reference}, one_channel([&](std::uint64_t i) { return pair_variance(estimator, i); }));
 }
 
 Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstimator& a,
@@ -55,30 +46,18 @@ Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstim
   // A constant A has a range of length 0.
   const double upper = std::max(range_variance(a), 2 * trial.margin * scale);
   const Reference reference{0, -ratio * range_variance(b), upper, 0, scale, Sides::not_above};
-  return test_indexed(trial, reference, [&](std::uint64_t i) {
-    return pair_variance(a, pilot_pairs + i) - ratio * pair_variance(b, pilot_pairs + i);
-  });
+  return test_means(trial, {reference}, one_channel([&](std::uint64_t i) {
+                      return pair_variance(a, pilot_pairs + i) - ratio * pair_variance(b, pilot_pairs + i);
+                    }));
 }
 
 Finding test_uncorrelated(const Trial& trial, std::pair<double, double> means, double reach, double scale,
                           const std::function<std::pair<double, double>(std::uint64_t)>& draw) {
   const Reference reference{0, -reach * reach, reach * reach, 0, scale};
-  return test_indexed(trial, reference, [&](std::uint64_t i) {
-    const auto [a, b] = draw(i);
-    return (a - means.first) * (b - means.second);
-  });
-}
-
-VarianceRatio variance_ratio(const Moments& a, const Moments& b, double beta) {
-  if (!(a.squared_deviations() > 0 && b.squared_deviations() > 0)) {
-    throw std::invalid_argument("a ratio of variances needs both of them positive");
-  }
-  const auto relative = [](const Moments& m) { return (m.kurtosis() - 1) / static_cast<double>(m.count()); };
-  // The standard error of the ratio's logarithm.
-  const double error = std::sqrt(relative(a) + relative(b));
-  const double reach = std::exp(-boost::math::quantile(boost::math::normal(), beta) * error);
-  const double ratio = a.variance() / b.variance();
-  return {ratio, {ratio / reach, ratio * reach}};
+  return test_means(trial, {reference}, one_channel([&](std::uint64_t i) {
+                      const auto [a, b] = draw(i);
+                      return (a - means.first) * (b - means.second);
+                    }));
 }
 
 }  // namespace fairlight

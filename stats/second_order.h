@@ -37,13 +37,4 @@ Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstim
 Finding test_uncorrelated(const Trial& trial, std::pair<double, double> means, double reach, double scale,
                           const std::function<std::pair<double, double>(std::uint64_t)>& draw);
 
-/// The ratio of two sample variances with a confidence interval. Each end is wrong with probability
-/// beta, asymptotically, by the delta method from the fourth moments. Throws std::invalid_argument
-/// unless both variances are positive.
-struct VarianceRatio {
-  double ratio;
-  Interval interval;
-};
-VarianceRatio variance_ratio(const Moments& a, const Moments& b, double beta);
-
 }  // namespace fairlight

@@ -34,12 +34,4 @@ double LargestScores::slope() const {
   return sum == 0 ? none : 1 + static_cast<double>(heap_.size() - 1) / sum;
 }
 
-double figure_of_merit(double mean, double standard_error, double seconds) {
-  if (!(mean > 0 && standard_error > 0 && seconds > 0)) {
-    throw std::invalid_argument("a figure of merit needs a positive mean, standard error and time");
-  }
-  const double relative = standard_error / mean;
-  return 1 / (relative * relative * seconds);
-}
-
 }  // namespace fairlight

@@ -25,9 +25,4 @@ class LargestScores {
   std::vector<double> heap_;  // a heap with the smallest score on top
 };
 
-/// The figure of merit 1 / (R^2 T), with R the standard error divided by the mean and T the time in
-/// seconds. It stays constant as a well-behaved estimator runs longer. Throws std::invalid_argument
-/// unless all three arguments are positive.
-double figure_of_merit(double mean, double standard_error, double seconds);
-
 }  // namespace fairlight

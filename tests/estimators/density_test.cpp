@@ -16,7 +16,6 @@ concept Mixable = requires(A a, B b) {
 || requires(A a, B b) { a = b; };
 
 static_assert(!Mixable<Density<Area, double>, Density<SolidAngle, double>>, "measures do not mix");
-static_assert(!Mixable<Density<SolidAngle, double>, Density<ProjectedSolidAngle, double>>);
 static_assert(!std::convertible_to<double, Density<Area, double>>, "a number is not yet a density");
 static_assert(!std::convertible_to<Density<Area, double>, double>);
 static_assert(Mixable<Density<Discrete, double>, Density<Area, double>>, "choosing, then sampling");
@@ -25,10 +24,6 @@ TEST(Density, TurnsAreaIntoSolidAngleByDistanceSquaredAndCosine) {
   const Density<Area, double> area(3);
   EXPECT_EQ(to_solid_angle(area, 2.0, 0.5).value(), 24);
   EXPECT_EQ(to_area(to_solid_angle(area, 2.0, 0.5), 2.0, 0.5).value(), 3);
-}
-
-TEST(Density, TurnsSolidAngleIntoProjectedByTheCosine) {
-  EXPECT_EQ(to_projected_solid_angle(Density<SolidAngle, double>(0.25), 0.5).value(), 0.5);
 }
 
 TEST(Density, OfAChoiceAndADrawIsTheirProduct) {

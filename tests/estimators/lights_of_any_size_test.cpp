@@ -34,11 +34,6 @@ double nearest(double x) {
   return in_double(rounded<Real>(x));
 }
 
-template <class Real>
-Vec3<Real> vector(const Vec3<double>& v) {
-  return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
-}
-
 // A point of the square; edges are likely.
 template <class Real>
 Vec2<Real> any_point() {
@@ -58,9 +53,9 @@ struct Sample {
 
 template <class Real, class Light>
 Sample sample(const Light& light, const Vec3<double>& from, const Vec2<Real>& u) {
-  const LightSample<Real> drawn = light.sample(vector<Real>(from), u);
+  const LightSample<Real> drawn = light.sample(rounded_vector<Real>(from), u);
   return {in_double(drawn.direction), in_double(drawn.distance), in_double(drawn.density.value()),
-          in_double(light.pdf(vector<Real>(from), drawn.direction).value())};
+          in_double(light.pdf(rounded_vector<Real>(from), drawn.direction).value())};
 }
 
 // A sphere about the origin, and a point outside, inside or on its surface.
@@ -77,12 +72,12 @@ SpherePlace any_sphere() {
   const Vec3<double> outward = detail::direction_at(z, std::sqrt(1 - z * z), *testing::unit_number());
   const int where = *rc::gen::inRange(0, 3);
   const double away = where == 0 ? radius + *length() : where == 1 ? radius * *testing::unit_number() : radius;
-  return {radius, in_double(vector<Real>(away * outward)), where == 2};
+  return {radius, in_double(rounded_vector<Real>(away * outward)), where == 2};
 }
 
 template <class Real>
 SphereLight<Real> light_of(const SpherePlace& place) {
-  return {vector<Real>({0, 0, 0}), rounded<Real>(place.radius), Mask<Real>(place.on_surface)};
+  return {rounded_vector<Real>({0, 0, 0}), rounded<Real>(place.radius), Mask<Real>(place.on_surface)};
 }
 
 // The hit point has the error of the point of view and of the direction: a few ulp of their sizes.
@@ -184,7 +179,8 @@ RectanglePlace any_rectangle() {
 
 template <class Real>
 RectangleLight<Real> light_of(const RectanglePlace& place) {
-  return {vector<Real>(place.corner), vector<Real>({place.width, 0, 0}), vector<Real>({0, place.height, 0})};
+  return {rounded_vector<Real>(place.corner), rounded_vector<Real>({place.width, 0, 0}),
+          rounded_vector<Real>({0, place.height, 0})};
 }
 
 template <class Real>

@@ -47,7 +47,7 @@ void expect_edges() {
   for (double exponent : {1.0, 5.0, 100.0, 1e4, 1e6}) {
     for (const Vec3<double>& axis :
          {Vec3<double>(0, 0, 1), tilted, Vec3<double>(0, 1, 0), Vec3<double>(0, 0, -1)}) {
-      const Vec3<Real> about(rounded<Real>(axis.x()), rounded<Real>(axis.y()), rounded<Real>(axis.z()));
+      const Vec3<Real> about = rounded_vector<Real>(axis);
       testing::expect_unit_vectors_in_the_support(PowerCosineLobe<Real>(about, rounded<Real>(exponent)));
       testing::expect_inverses_in_the_square(PowerCosineLobe<Real>(about, rounded<Real>(exponent)));
     }

@@ -7,7 +7,6 @@
 
 #include <fairlight/stats/exact_moments.h>
 #include <fairlight/stats/googletest.h>
-#include <fairlight/stats/replicates.h>
 #include <fairlight/stats/rosenblatt.h>
 
 #if !defined(__FAST_MATH__)
@@ -129,13 +128,6 @@ TEST(RosenblattWithFastMath, RefusesAPlaceOutsideTheSquare) {
   for (const double x : wrong_numbers()) {
     EXPECT_THROW(transform(x, 0.5), std::out_of_range) << x;
     EXPECT_THROW(transform(0.5, x), std::out_of_range) << x;
-  }
-}
-
-TEST(ConvergenceExponentWithFastMath, RefusesAVarianceThatIsNone) {
-  for (const double wrong : {nan(), -1.0, 0.0}) {
-    const std::vector<std::pair<double, double>> variances{{1, 1}, {2, wrong}};
-    EXPECT_THROW((void)convergence_exponent(variances), std::invalid_argument) << wrong;
   }
 }
 

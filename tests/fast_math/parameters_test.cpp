@@ -67,7 +67,6 @@ void expect_refused(const Real& x) {
   EXPECT_REFUSED(GaussianFilter<Real>(Real(1), x));
   EXPECT_REFUSED(UniformCone<Real>{x});
   EXPECT_REFUSED(UniformCone<Real>::of_sine_squared(x));
-  EXPECT_REFUSED(UniformCone<Real>::of_half_angle(x));
   EXPECT_REFUSED(CircularAperture<Real>{x});
   EXPECT_REFUSED(PolygonalAperture<Real>(Real(1), 6, x));
   EXPECT_REFUSED(RussianRoulette::play(x, Real(0.5f)));

@@ -13,13 +13,13 @@ namespace {
 TEST(ForEachUnit, RunsEachUnitOnce) {
   for (int threads : {1, 2, 7, 100}) {
     std::vector<int> runs(50);
-    for_each_unit(50, threads, [&](int unit) { ++runs[static_cast<std::size_t>(unit)]; });
+    for_each_unit(50, threads, [&](std::size_t unit) { ++runs[unit]; });
     EXPECT_EQ(runs, std::vector<int>(50, 1)) << threads << " threads";
   }
 }
 
 TEST(ForEachUnit, DoesNothingForNoUnits) {
-  for_each_unit(0, 4, [](int) { FAIL(); });
+  for_each_unit(0, 4, [](std::size_t) { FAIL(); });
 }
 
 // Two units fail at once, whichever is noticed first.
@@ -27,7 +27,7 @@ TEST(ForEachUnit, ReportsTheFailureOfTheLowestUnit) {
   for (int time = 0; time < 64; ++time) {
     std::latch both(2);
     try {
-      for_each_unit(2, 2, [&](int unit) {
+      for_each_unit(2, 2, [&](std::size_t unit) {
         both.arrive_and_wait();
         throw std::runtime_error("unit " + std::to_string(unit));
       });
@@ -39,17 +39,24 @@ TEST(ForEachUnit, ReportsTheFailureOfTheLowestUnit) {
 }
 
 TEST(ForEachUnit, BeginsNoUnitAfterAFailure) {
-  std::vector<int> begun;
-  const auto fail_at_two = [&](int unit) {
+  std::vector<std::size_t> begun;
+  const auto fail_at_two = [&](std::size_t unit) {
     begun.push_back(unit);
     if (unit == 2) throw std::runtime_error("unit 2");
   };
   EXPECT_THROW(for_each_unit(50, 1, fail_at_two), std::runtime_error);
-  EXPECT_EQ(begun, (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(begun, (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST(ForEachUnit, ReportsTheFractionDone) {
+  std::vector<double> told;
+  for_each_unit(
+      4, 2, [](std::size_t) {}, [&](double done) { told.push_back(done); });
+  EXPECT_EQ(told, (std::vector<double>{0.25, 0.5, 0.75, 1}));
 }
 
 TEST(ForEachUnit, RefusesNoThreads) {
-  EXPECT_THROW(for_each_unit(3, 0, [](int) {}), std::invalid_argument);
+  EXPECT_THROW(for_each_unit(3, 0, [](std::size_t) {}), std::invalid_argument);
 }
 
 TEST(HardwareThreads, AreAtLeastOne) { EXPECT_GE(hardware_threads(), 1); }

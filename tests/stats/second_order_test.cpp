@@ -56,18 +56,5 @@ TEST(Uncorrelated, SeesACopyAndAMirrorImage) {
   EXPECT_EQ(test_uncorrelated(trial, {0.5, 0.5}, 0.5, 0.25, pairs(-1)).verdict, Verdict::biased);
 }
 
-// Coins have kurtosis 1, the least there is: their sample variance is known all but exactly.
-TEST(VarianceRatioInterval, HoldsTheRatio) {
-  const std::vector<double> wide{0, 2, 0, 2};
-  const std::vector<double> narrow{0, 1, 0, 1};
-  const VarianceRatio ratio = variance_ratio(Moments::of(wide), Moments::of(narrow), 0.01);
-  EXPECT_DOUBLE_EQ(ratio.ratio, 4);
-  EXPECT_DOUBLE_EQ(ratio.interval.lo, 4);
-  const std::vector<double> skew{0, 0, 0, 2};  // kurtosis 7/3, relative variance (4/3) / 4
-  const VarianceRatio loose = variance_ratio(Moments::of(skew), Moments::of(narrow), 0.01);
-  EXPECT_NEAR(loose.interval.hi / loose.ratio, std::exp(2.326348 * std::sqrt(1.0 / 3)), 1e-5);
-  EXPECT_THROW(variance_ratio(Moments::of(wide), Moments{}, 0.01), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace fairlight

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -40,12 +39,6 @@ TEST(LargestScores, DoNotDependOnTheOrderOfTheDraws) {
   LargestScores rising;
   rising.add(std::vector<double>(draws.rbegin(), draws.rend()));
   EXPECT_NEAR(falling.slope(), rising.slope(), 1e-12);
-}
-
-TEST(FigureOfMerit, IsOneOverRelativeErrorSquaredTimesTime) {
-  EXPECT_DOUBLE_EQ(figure_of_merit(2, 0.02, 4), 2500);
-  EXPECT_THROW(figure_of_merit(0, 0.1, 1), std::invalid_argument);
-  EXPECT_THROW(figure_of_merit(1, 0, 1), std::invalid_argument);
 }
 
 }  // namespace

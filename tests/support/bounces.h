@@ -39,7 +39,7 @@ template <Bsdf Surface>
 void check_edges(const Surface& surface, const Vec3<double>& towards, Below below) {
   using Real = typename Surface::Scalar;
   constexpr int numbers = Surface::dimensions;
-  const Vec3<Real> out(rounded<Real>(towards.x()), rounded<Real>(towards.y()), rounded<Real>(towards.z()));
+  const Vec3<Real> out = rounded_vector<Real>(towards);
   for (int corner = 0; corner < (1 << (2 * numbers)); ++corner) {
     Eigen::Matrix<Real, numbers, 1> u;
     for (int d = 0; d < numbers; ++d)

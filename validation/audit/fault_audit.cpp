@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 
 #include <fairlight/render/parallel.h>
 #include <fairlight/stats/text.h>
@@ -37,17 +36,13 @@ std::vector<FaultOutcome> audit_faults(const RunOptions& run_options, int seeds,
   const auto per_cell = static_cast<std::size_t>(seeds);
   std::vector<Capture> captures(outcomes.size() * per_cell);
   const Manifest manifest = manifest_of(run_options);
-  std::mutex mutex;
-  std::size_t done = 0;
-  for_each_unit(static_cast<int>(captures.size()), run_options.threads, [&](int unit) {
-    const auto i = static_cast<std::size_t>(unit);
+  const auto one = [&](std::size_t i) {
     const Claim& claim = *outcomes[i / per_cell].claim;
     Trial trial = manifest.trial(claim.name);
     trial.seed += i % per_cell;
     captures[i] = capture(claim, trial);
-    const std::lock_guard lock(mutex);
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(captures.size()));
-  });
+  };
+  for_each_unit(captures.size(), run_options.threads, one, progress);
   for (std::size_t i = 0; i < captures.size(); ++i) {
     FaultOutcome& outcome = outcomes[i / per_cell];
     const auto& [finding, elapsed] = captures[i];

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <stdexcept>
 
 #include <fairlight/render/parallel.h>
@@ -165,27 +164,23 @@ JudgesOutcome audit_judges(const RunOptions& run_options, int seeds, const Progr
   const auto per_row = static_cast<std::size_t>(seeds);
   std::vector<Plan> plans(rows.size());
   std::vector<SeedResult> results(rows.size() * per_row);
-  std::mutex mutex;
-  std::size_t done = 0;
-  const auto tell = [&] {
-    const std::lock_guard lock(mutex);
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(plans.size() + results.size()));
+  const auto part = [&](double from, double share) -> Progress {
+    return [=, &progress](double done) {
+      if (progress) progress(from + share * done);
+    };
   };
-  for_each_unit(static_cast<int>(rows.size()), run_options.threads, [&](int unit) {
-    const auto r = static_cast<std::size_t>(unit);
-    plans[r] = plan_of(rows[r], manifest.trial(rows[r].right->name));
-    tell();
-  });
-  for_each_unit(static_cast<int>(results.size()), run_options.threads, [&](int unit) {
-    const auto i = static_cast<std::size_t>(unit);
+  const double planning = 1.0 / (1 + seeds);
+  const auto plan = [&](std::size_t r) { plans[r] = plan_of(rows[r], manifest.trial(rows[r].right->name)); };
+  for_each_unit(rows.size(), run_options.threads, plan, part(0, planning));
+  const auto judge = [&](std::size_t i) {
     const Row& row = rows[i / per_row];
-    const Plan& plan = plans[i / per_row];
+    const Plan& planned = plans[i / per_row];
     Trial trial = manifest.trial(row.right->name);
     trial.seed += 1 + i % per_row;
-    results[i].right = failures_of(*row.right, trial, plan);
-    for (const Claim* wrong : row.wrong) results[i].wrong.push_back(failures_of(*wrong, trial, plan));
-    tell();
-  });
+    results[i].right = failures_of(*row.right, trial, planned);
+    for (const Claim* wrong : row.wrong) results[i].wrong.push_back(failures_of(*wrong, trial, planned));
+  };
+  for_each_unit(results.size(), run_options.threads, judge, part(planning, 1 - planning));
   return summary(rows, plans, results, per_row);
 }
 

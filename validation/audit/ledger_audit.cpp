@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <mutex>
 
 #include <fairlight/estimators/stream.h>
 #include <fairlight/render/parallel.h>
@@ -62,11 +61,8 @@ LeavingRun run_for_sum(const Trial& trial, double bias) {
   Trial watched = trial;
   watched.evidence = &evidence;
   const StreamKey key(trial.seed, trial.claim);
-  const auto draw_block = [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-    for (std::size_t i = 0; i < channels[0].size(); ++i)
-      channels[0][i] = 2 * PhiloxStream<double>(key, 0, first + i).next() * (1 + bias);
-  };
-  const Finding finding = test_means(watched, {{1, 0, 2.5}}, draw_block);
+  const auto draw = [&](std::uint64_t i) { return 2 * PhiloxStream<double>(key, 0, i).next() * (1 + bias); };
+  const Finding finding = test_means(watched, {{1, 0, 2.5}}, one_channel(draw));
   return {finding, EvidenceSum(evidence.margin_grid)};
 }
 
@@ -77,18 +73,13 @@ bool LedgerOutcome::passed() const {
 
 std::vector<LedgerOutcome> audit_ledger(const TesterAudit& audit, const Progress& progress) {
   const std::vector<double> biases{0, 1.0 / 6, 1.0 / 4, a_third};
-  const int ledgers = audit.power_seeds;
-  std::vector<std::vector<Fate>> fates(biases.size(), std::vector<Fate>(static_cast<std::size_t>(ledgers)));
-  std::mutex mutex;
-  int done = 0;
-  const int units = static_cast<int>(biases.size()) * ledgers;
-  for_each_unit(units, audit.threads, [&](int unit) {
-    const auto b = static_cast<std::size_t>(unit / ledgers);
-    const int l = unit % ledgers;
-    fates[b][static_cast<std::size_t>(l)] = fate_of(audit.seed + static_cast<std::uint64_t>(l), biases[b]);
-    const std::lock_guard lock(mutex);
-    if (progress) progress(static_cast<double>(++done) / units);
-  });
+  const auto ledgers = static_cast<std::size_t>(audit.power_seeds);
+  std::vector<std::vector<Fate>> fates(biases.size(), std::vector<Fate>(ledgers));
+  const auto one = [&](std::size_t unit) {
+    const std::size_t b = unit / ledgers, l = unit % ledgers;
+    fates[b][l] = fate_of(audit.seed + l, biases[b]);
+  };
+  for_each_unit(biases.size() * ledgers, audit.threads, one, progress);
   std::vector<LedgerOutcome> outcomes;
   for (std::size_t b = 0; b < biases.size(); ++b) outcomes.push_back(outcome_of(biases[b], fates[b]));
   return outcomes;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -47,17 +46,15 @@ std::vector<TesterOutcome> run_jobs(const std::vector<Job>& jobs, std::uint64_t 
     outcomes.push_back({jobs[j].name, jobs[j].runs, 0, jobs[j].limit});
     for (int r = 0; r < jobs[j].runs; ++r) units.emplace_back(j, r);
   }
-  std::mutex mutex;
-  std::size_t done = 0;
-  for_each_unit(static_cast<int>(units.size()), threads, [&](int unit) {
-    const auto [j, r] = units[static_cast<std::size_t>(unit)];
+  std::vector<char> failed(units.size());
+  const auto one = [&](std::size_t unit) {
+    const auto [j, r] = units[unit];
     Trial trial = jobs[j].trial;
     trial.seed = seed + static_cast<std::uint64_t>(r);
-    const bool failed = jobs[j].kind->run(trial, jobs[j].bias).verdict != jobs[j].right;
-    const std::lock_guard lock(mutex);
-    outcomes[j].failures += failed ? 1 : 0;
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(units.size()));
-  });
+    failed[unit] = jobs[j].kind->run(trial, jobs[j].bias).verdict != jobs[j].right ? 1 : 0;
+  };
+  for_each_unit(units.size(), threads, one, progress);
+  for (std::size_t u = 0; u < units.size(); ++u) outcomes[units[u].first].failures += failed[u];
   return outcomes;
 }
 
@@ -117,16 +114,12 @@ std::vector<CostOutcome> audit_cost(const TesterAudit& audit, const Progress& pr
   const auto& laws = cost_laws();
   const auto runs = static_cast<std::size_t>(audit.cost_runs);
   std::vector<double> draws(laws.size() * runs);
-  std::mutex mutex;
-  std::size_t done = 0;
-  for_each_unit(static_cast<int>(draws.size()), audit.threads, [&](int unit) {
-    const auto i = static_cast<std::size_t>(unit);
+  const auto one = [&](std::size_t i) {
     const CostLaw& law = laws[i / runs];
     const Trial trial{"cost." + law.name, audit.seed + i % runs, 1e-8, 0.01, law.margin};
     draws[i] = static_cast<double>(bet_on(law, trial, 0).draws);
-    const std::lock_guard lock(mutex);
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(draws.size()));
-  });
+  };
+  for_each_unit(draws.size(), audit.threads, one, progress);
   std::vector<CostOutcome> outcomes;
   for (std::size_t l = 0; l < laws.size(); ++l) {
     const Moments moments = Moments::of(std::span(draws).subspan(l * runs, runs));

@@ -7,6 +7,7 @@
 #include <fairlight/estimators/latin_hypercube.h>
 #include <fairlight/estimators/sobol.h>
 #include <fairlight/estimators/stratified.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/claim.h>
 #include <fairlight/validation/checks/constants.h>
 #include <fairlight/validation/checks/means.h>
@@ -23,6 +24,13 @@ std::string real_name() {
   return lanes<Real> > 1 ? "packet" : "double";
 }
 
+/// A component with these parameters in every arithmetic: it takes type_identity<Real> and makes a
+/// Component<Real>.
+template <template <class> class Component, class... Number>
+auto component(Number... parameters) {
+  return [=]<class Real>(std::type_identity<Real>) { return Component<Real>(rounded<Real>(parameters)...); };
+}
+
 /// An estimator with a known mean, written once and tested in every arithmetic and from every
 /// source of numbers.
 template <class Draw>
@@ -37,8 +45,14 @@ struct Estimand {
 };
 
 template <class Draw>
-Estimand(std::string, std::vector<std::string>, std::string, std::string, double, std::vector<Reference>, Draw)
-    -> Estimand<Draw>;
+auto estimand(std::string name, std::vector<std::string> subjects, std::string statement, std::string source,
+              std::vector<Reference> references, Draw draw, double margin_factor = 1) {
+  return Estimand<Draw>{std::move(name), std::move(subjects),   std::move(statement), std::move(source),
+                        margin_factor,   std::move(references), std::move(draw)};
+}
+
+/// The references of the channels of a colour: reference(0), reference(1), reference(2).
+std::vector<Reference> for_channels(const auto& reference) { return {reference(0), reference(1), reference(2)}; }
 
 /// The floor of a claim's margin, however fine the run's margin is; 0 means no floor. It applies
 /// where the references themselves carry rounding, such as the positions in a scene far from the
@@ -96,6 +110,50 @@ Claim mean_claim(const Estimand<Draw>& e) {
   }
 }
 
+/// An estimator without variance: every draw equals `value` to this many units in the last place.
+template <class Draw>
+struct ConstantEstimand {
+  std::string name;
+  std::vector<std::string> subjects;
+  std::string statement;  ///< without the tolerance
+  std::string source;
+  double value;
+  int ulps;
+  Draw draw;  ///< as that of an Estimand
+};
+
+template <class Draw>
+auto constant(std::string name, std::vector<std::string> subjects, std::string statement, std::string source,
+              double value, int ulps, Draw draw) {
+  return ConstantEstimand<Draw>{
+      std::move(name), std::move(subjects), std::move(statement), std::move(source), value, ulps, std::move(draw)};
+}
+
+/// The row that tests this in one arithmetic.
+template <class Real, class Draw>
+Claim constant_claim(const ConstantEstimand<Draw>& e) {
+  return {.name = e.name + real_suffix<Real>(),
+          .kind = "constant",
+          .subjects = e.subjects,
+          .statement = e.statement + formatted(", to %d ulp", e.ulps),
+          .source = e.source,
+          .margin_factor = 1,
+          .check =
+              [e](const Trial& trial) {
+                return check_constant<Real>(trial, e.value, e.ulps, [&](auto& source) {
+                  return e.draw(std::type_identity<Real>{}, source);
+                });
+              },
+          .real = real_name<Real>()};
+}
+
+/// Adds this row in double and in packets.
+template <class Draw>
+void add_constant(std::vector<Claim>& claims, const ConstantEstimand<Draw>& e) {
+  claims.push_back(constant_claim<double>(e));
+  claims.push_back(constant_claim<Packet>(e));
+}
+
 /// A kind of point set, and its suffix in the names of claims.
 template <template <class> class Set>
 struct PointSetKind {
@@ -105,6 +163,13 @@ struct PointSetKind {
 inline PointSetKind<OwenSobol> sobol_points() { return {"sobol", "OwenSobol"}; }
 inline PointSetKind<Stratified> stratified_points() { return {"stratified", "Stratified"}; }
 inline PointSetKind<LatinHypercube> latin_points() { return {"latin", "LatinHypercube"}; }
+
+/// Calls `f` with each of them.
+void for_each_point_set(const auto& f) {
+  f(sobol_points());
+  f(stratified_points());
+  f(latin_points());
+}
 
 /// The row for the mean of an estimand over the points of a set, in packets, by replicates. Its
 /// margin is `margin_factor` times that from independent numbers, as the errors of a point set are
@@ -133,13 +198,19 @@ void add_independent_mean(std::vector<Claim>& claims, const Estimand<Draw>& e) {
   claims.push_back(mean_claim<Packet>(e));
 }
 
+/// The rows of several estimands from independent numbers, in double and in packets.
+template <class... Draw>
+std::vector<Claim> both(const Estimand<Draw>&... e) {
+  std::vector<Claim> claims;
+  (add_independent_mean(claims, e), ...);
+  return claims;
+}
+
 /// Adds the rows from independent numbers, in double and in packets, and from every point set.
 template <class Draw>
 void add_mean(std::vector<Claim>& claims, const Estimand<Draw>& e) {
   add_independent_mean(claims, e);
-  claims.push_back(replicates_claim(e, sobol_points()));
-  claims.push_back(replicates_claim(e, stratified_points()));
-  claims.push_back(replicates_claim(e, latin_points()));
+  for_each_point_set([&](const auto& points) { claims.push_back(replicates_claim(e, points)); });
 }
 
 }  // namespace fairlight

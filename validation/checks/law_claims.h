@@ -145,24 +145,21 @@ void add_law(std::vector<Claim>& claims, const LawEstimand<Make, Domain>& e) {
   claims.push_back(law_moments_claim<double>(e));
   claims.push_back(law_moments_claim<Packet>(e));
   claims.push_back(density_claim(e));
-  claims.push_back(law_replicates_claim(e, sobol_points()));
-  claims.push_back(law_replicates_claim(e, stratified_points()));
-  claims.push_back(law_replicates_claim(e, latin_points()));
+  for_each_point_set([&](const auto& points) { claims.push_back(law_replicates_claim(e, points)); });
 }
 
 /// Uniform points on a sphere of radius 2.5.
 template <template <class> class Points>
 auto sphere_area_law() {
-  return LawEstimand{"sphere_light.area", "UniformSphereArea", "Archimedes",
-                     []<class Real>(std::type_identity<Real>) { return Points<Real>(Real(2.5)); },
+  return LawEstimand{"sphere_light.area", "UniformSphereArea", "Archimedes", component<Points>(2.5),
                      SphereDomain{2.5}};
 }
 
 /// Cosine-weighted directions.
 template <template <class> class Directions>
 auto cosine_law() {
-  return LawEstimand{"hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3",
-                     []<class Real>(std::type_identity<Real>) { return Directions<Real>{}; }, HemisphereDomain{}};
+  return LawEstimand{"hemisphere.cosine", "CosineHemisphere", "PBR 4ed, A.5.3", component<Directions>(),
+                     HemisphereDomain{}};
 }
 
 /// Pairs of random numbers, unchanged: uniform on the unit square.

@@ -89,11 +89,10 @@ Finding check_density(const Trial& trial, const Drawn& drawn, const Law& law) {
   SamplerDraws draws(drawn, independent_pairs<Real>(StreamKey(trial.seed, trial.claim)));
   const Reference reference{
       .mean = 1, .lower = 0, .upper = 2, .sides = Sides::both, .rounding = arithmetic_rounding<Real>};
-  return test_means(trial, {reference}, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-    for (std::size_t i = 0; i < channels[0].size(); ++i) {
-      channels[0][i] = draws.density(first + i) / law.pdf(typename Law::Point(draws.point(first + i))).value();
-    }
-  });
+  const auto ratio = [&](std::uint64_t i) {
+    return draws.density(i) / law.pdf(typename Law::Point(draws.point(i))).value();
+  };
+  return test_means(trial, {reference}, one_channel(ratio));
 }
 
 }  // namespace fairlight

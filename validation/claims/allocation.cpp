@@ -26,12 +26,13 @@ Claim halves_claim(const std::string& by, const std::string& score, const Number
                              CrossedHalves<Score>(plan), numbers);
 }
 
-/// Every form with every score.
-template <class Score>
-void add_unbiased(std::vector<Claim>& claims, const std::string& by, const std::string& score) {
-  claims.push_back(pilot_claim<Score>(by, score));
-  claims.push_back(stages_claim<Score>(by, score));
-  claims.push_back(halves_claim<Score>(by, score));
+/// Every form with a score.
+template <class Score, class Numbers = FromStreams<>>
+void add_forms(std::vector<Claim>& claims, const std::string& by, const std::string& score,
+               const Numbers& numbers = {}) {
+  claims.push_back(pilot_claim<Score>(by, score, numbers));
+  claims.push_back(stages_claim<Score>(by, score, numbers));
+  claims.push_back(halves_claim<Score>(by, score, numbers));
 }
 
 /// From point sets, each form and each score once: neither depends on where its samples come from.
@@ -41,14 +42,6 @@ void add_numbers(std::vector<Claim>& claims, const Numbers& numbers) {
   claims.push_back(pilot_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", numbers));
   claims.push_back(stages_claim<AllocationByVariance>("variance", "AllocationByVariance", numbers));
   claims.push_back(halves_claim<AllocationByDeviation>("deviation", "AllocationByDeviation", numbers));
-}
-
-/// From packets, each form once, as the scores are computed in double.
-void add_packets(std::vector<Claim>& claims) {
-  const FromStreams<Packet> packets;
-  claims.push_back(pilot_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
-  claims.push_back(stages_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
-  claims.push_back(halves_claim<AllocationByNeighbours>("neighbours", "AllocationByNeighbours", packets));
 }
 
 /// The naive form and its bias. With p <= 1/2, the two points of a pilot never both meet a spike.
@@ -65,9 +58,7 @@ void add_naive(std::vector<Claim>& claims) {
                                        by_neighbours, numbers));
   };
   add(PooledSpikes(p, p * p), FromStreams<>());
-  add(PooledSpikes(p, 0), FromSets(sobol_points()));
-  add(PooledSpikes(p, 0), FromSets(stratified_points()));
-  add(PooledSpikes(p, 0), FromSets(latin_points()));
+  for_each_point_set([&](const auto& kind) { add(PooledSpikes(p, 0), FromSets(kind)); });
   claims.push_back(darker_allocation("allocation.naive.history.darker", 0.7, by_history));
   claims.push_back(darker_allocation("allocation.naive.neighbours.darker", 0.93, by_neighbours));
 }
@@ -75,14 +66,13 @@ void add_naive(std::vector<Claim>& claims) {
 }  // namespace
 
 void add_allocation_claims(std::vector<Claim>& claims) {
-  add_unbiased<UniformAllocation>(claims, "uniform", "UniformAllocation");
-  add_unbiased<AllocationByDeviation>(claims, "deviation", "AllocationByDeviation");
-  add_unbiased<AllocationByVariance>(claims, "variance", "AllocationByVariance");
-  add_unbiased<AllocationByNeighbours>(claims, "neighbours", "AllocationByNeighbours");
-  add_packets(claims);
-  add_numbers(claims, FromSets(sobol_points()));
-  add_numbers(claims, FromSets(stratified_points()));
-  add_numbers(claims, FromSets(latin_points()));
+  add_forms<UniformAllocation>(claims, "uniform", "UniformAllocation");
+  add_forms<AllocationByDeviation>(claims, "deviation", "AllocationByDeviation");
+  add_forms<AllocationByVariance>(claims, "variance", "AllocationByVariance");
+  add_forms<AllocationByNeighbours>(claims, "neighbours", "AllocationByNeighbours");
+  // From packets, each form once, as the scores are computed in double.
+  add_forms<AllocationByNeighbours>(claims, "neighbours", "AllocationByNeighbours", FromStreams<Packet>());
+  for_each_point_set([&](const auto& kind) { add_numbers(claims, FromSets(kind)); });
   add_naive(claims);
   const DiscardedPilot<UniformAllocation> uniform({eight, 128, 0});
   claims.push_back(quieter_allocation("allocation.pilot.deviation.quieter",

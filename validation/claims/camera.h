@@ -57,14 +57,12 @@ struct CameraAskew {
 /// The coordinates where a ray crosses that plane, to the right of the axis and below it.
 template <class Real>
 Vec2<Real> crossing(const Ray<Real>& ray) {
-  const auto in = [](const Vec3<double>& v) {
-    return Vec3<Real>(rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z()));
-  };
-  const Vec3<Real> from = ray.origin - in(CameraAskew::eye());
-  const Vec3<Real> axis = in(CameraAskew::axis());
+  const Vec3<Real> from = ray.origin - rounded_vector<Real>(CameraAskew::eye());
+  const Vec3<Real> axis = rounded_vector<Real>(CameraAskew::axis());
   const Real along = (Real(CameraAskew::distance) - from.dot(axis)) / ray.direction.dot(axis);
   const Vec3<Real> point = from + ray.direction * along;
-  return {point.dot(in(CameraAskew::right())), point.dot(in(CameraAskew::down()))};
+  return {point.dot(rounded_vector<Real>(CameraAskew::right())),
+          point.dot(rounded_vector<Real>(CameraAskew::down()))};
 }
 
 /// The means of the two coordinates of the crossing, and of 1 - (squared distance from the
@@ -87,29 +85,24 @@ auto pixel_crossings(const std::string& name, std::vector<std::string> subjects,
     const Vec2<Real> off(place.x() - rounded<Real>(askew.across()), place.y() - rounded<Real>(askew.below()));
     return Rgb<Real>(place.x(), place.y(), Real(1) - off.squaredNorm() / rounded<Real>(largest));
   };
-  return Estimand{name,
-                  std::move(subjects),
+  return estimand(name, std::move(subjects),
                   "the rays of a pixel cross a plane about its middle, in the mean, and as far from it as the "
                   "filter and the circle of confusion say",
                   "elementary; similar triangles",
-                  1,
-                  {within(askew.across()), within(askew.below()), {1 - spread / largest, -1e-9, 1}},
-                  draw};
+                  {within(askew.across()), within(askew.below()), {1 - spread / largest, -1e-9, 1}}, draw);
 }
 
 /// The crossings of a pinhole camera.
 template <class Rays = PixelRays>
 auto pinhole_crossings() {
-  return pixel_crossings<Rays>("camera.pinhole", {"Camera", "TentFilter"}, 0, 1.0 / 6, 1,
-                               []<class Real>(std::type_identity<Real>) { return TentFilter<Real>(); });
+  return pixel_crossings<Rays>("camera.pinhole", {"Camera", "TentFilter"}, 0, 1.0 / 6, 1, component<TentFilter>());
 }
 
 /// The crossings of a lens out of focus.
 template <class Rays = PixelRays>
 auto lens_crossings() {
   return pixel_crossings<Rays>("camera.lens", {"Camera", "BoxFilter", "ThinLens", "CircularAperture"}, 1.5,
-                               1.0 / 12, 0.5,
-                               []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.5)); });
+                               1.0 / 12, 0.5, component<BoxFilter>(0.5));
 }
 
 }  // namespace fairlight

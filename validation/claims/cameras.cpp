@@ -11,19 +11,24 @@ namespace fairlight {
 
 namespace {
 
+// The law of a filter, and its mean squared offset along an axis.
+void add_filter(std::vector<Claim>& claims, const auto& law, double moment) {
+  add_mean(claims, filter_moment(law.name, law.subject, moment, law.domain.high, law.make));
+  add_law(claims, law);
+}
+
 void add_filters(std::vector<Claim>& claims) {
   const std::string source = "Ernst, Stamminger, Greiner 2006";
-  add_law(claims, LawEstimand{"filter.box", "BoxFilter", source,
-                              []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.75)); },
-                              SquareDomain{-0.75, 0.75}});
-  add_law(claims, LawEstimand{"filter.tent", "TentFilter", source,
-                              []<class Real>(std::type_identity<Real>) { return TentFilter<Real>{}; },
-                              SquareDomain{-1, 1}});
-  add_law(claims, gaussian_law<GaussianFilter>());
-  add_law(claims,
-          LawEstimand{"filter.blackman_harris", "BlackmanHarrisFilter", "Harris 1978",
-                      []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); },
-                      SquareDomain{-1.5, 1.5}, 10});
+  add_filter(claims,
+             LawEstimand{"filter.box", "BoxFilter", source, component<BoxFilter>(0.75), SquareDomain{-0.75, 0.75}},
+             0.75 * 0.75 / 3);
+  add_filter(claims, LawEstimand{"filter.tent", "TentFilter", source, component<TentFilter>(), SquareDomain{-1, 1}},
+             1.0 / 6);
+  add_filter(claims, gaussian_law<GaussianFilter>(), cut_gaussian_moment(0.5, 1));
+  add_filter(claims,
+             LawEstimand{"filter.blackman_harris", "BlackmanHarrisFilter", "Harris 1978",
+                         component<BlackmanHarrisFilter>(1.5), SquareDomain{-1.5, 1.5}, 10},
+             blackman_harris_moment(1.5));
 }
 
 void add_apertures(std::vector<Claim>& claims) {
@@ -31,35 +36,19 @@ void add_apertures(std::vector<Claim>& claims) {
   claims.push_back(polygonal_aperture_claim<double>());
   claims.push_back(polygonal_aperture_claim<Packet>());
   add_mean(claims, polygon_second_moment(6));
-  add_uniform_fields<double>(claims);
-  add_uniform_fields<Packet>(claims);
+  add_constant(claims, uniform_field_of_disk<CircularAperture>());
+  add_constant(claims, uniform_field_of_pentagon());
 }
 
 void add_lenses(std::vector<Claim>& claims) {
   add_mean(claims, circle_of_confusion<CircularAperture, ThinLens>(3.5));
   add_mean(claims, circle_of_confusion<CircularAperture, ThinLens>(0.75));
-  claims.push_back(focus_claim<double, ThinLens>());
-  claims.push_back(focus_claim<Packet, ThinLens>());
-}
-
-void add_filter_moments(std::vector<Claim>& claims) {
-  add_mean(claims, filter_moment("filter.box", "BoxFilter", 0.75 * 0.75 / 3, 0.75,
-                                 []<class Real>(std::type_identity<Real>) { return BoxFilter<Real>(Real(0.75)); }));
-  add_mean(claims, filter_moment("filter.tent", "TentFilter", 1.0 / 6, 1,
-                                 []<class Real>(std::type_identity<Real>) { return TentFilter<Real>(); }));
-  add_mean(claims, filter_moment("filter.gaussian", "GaussianFilter", cut_gaussian_moment(0.5, 1), 1,
-                                 []<class Real>(std::type_identity<Real>) {
-                                   return GaussianFilter<Real>(Real(0.5), Real(1));
-                                 }));
-  add_mean(claims, filter_moment(
-                       "filter.blackman_harris", "BlackmanHarrisFilter", blackman_harris_moment(1.5), 1.5,
-                       []<class Real>(std::type_identity<Real>) { return BlackmanHarrisFilter<Real>(Real(1.5)); }));
+  add_constant(claims, lens_focus<ThinLens>());
 }
 
 }  // namespace
 
 void add_camera_claims(std::vector<Claim>& claims) {
-  add_filter_moments(claims);
   add_filters(claims);
   add_apertures(claims);
   add_lenses(claims);

@@ -136,22 +136,18 @@ auto in_lit_box(const std::string& how) {
   constexpr int depth = 3;
   const ClosedScene box = lit_box();
   const auto tracer = always(PathTracer<BouncesBy<CosineHemisphere>, Direct, NoRoulette>(depth));
-  const RadianceAlong radiance(box.view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, tracer);
+  const RadianceAlong radiance(box.view.scene, tracer);
   const auto draw = [camera = box.view.camera, radiance]<class Real>(std::type_identity<Real> real, auto& source) {
     const Vec2<Real> place = next_pair<Real>(source);
     return radiance.along(camera.template ray<Real>(place.x(), place.y(), 1, 1), real, source);
   };
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c)
-    references.push_back({box.radiance(depth)[c], 0, (1 + depth * 3 * box.whitest()) * box.brightest()[c]});
-  return Estimand{
-      "lit_box." + how,
-      {"DirectLight", "AllLights", "RectangleBySolidAngle"},
+  const auto reference = [&](int c) {
+    return Reference{box.radiance(depth)[c], 0, (1 + depth * 3 * box.whitest()) * box.brightest()[c]};
+  };
+  return estimand(
+      "lit_box." + how, {"DirectLight", "AllLights", "RectangleBySolidAngle"},
       "inside a box of lit rectangles the terms up to depth 3 sum to Le (1 - rho^4) / (1 - rho), per channel",
-      "geometric series of the transport operator",
-      2,
-      references,
-      draw};
+      "geometric series of the transport operator", for_channels(reference), draw, 2);
 }
 
 }  // namespace fairlight

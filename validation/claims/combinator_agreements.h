@@ -14,24 +14,19 @@ namespace fairlight {
 template <class One, class All>
 auto one_against_all(const std::string& name) {
   const SpheresOverPlane floor = two_lights();
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const double all = floor.sum_of_cone_terms(c);
-    references.push_back({0, -all, 2 * all, 0, floor.reference(c)});
-  }
+    return Reference{0, -all, 2 * all, 0, floor.reference(c)};
+  };
   const RadianceAlong one(floor.scene, floor.ray, always(One(1)));
   const RadianceAlong both(floor.scene, floor.ray, always(All(1)));
   const auto draw = [=]<class Real>(std::type_identity<Real> real, auto& source) {
     const Rgb<Real> a = one(real, source);
     return Rgb<Real>(a - both(real, source));
   };
-  return Estimand{name,
-                  {"UniformLightSampler", "AllLights", "DirectLight"},
+  return estimand(name, {"UniformLightSampler", "AllLights", "DirectLight"},
                   "one of two unequal lights, weighted by their number, agrees with both, per channel",
-                  "the paper, A.1",
-                  2,
-                  references,
-                  draw};
+                  "the paper, A.1", for_channels(reference), draw, 2);
 }
 
 /// Roulette on against roulette off, over a patch of the floor of the Cornell box, up to four
@@ -51,7 +46,7 @@ auto roulette_on_against_off(const std::string& name) {
   const RadianceAlong off(box.scene, down, always(Off(4)));
   const auto draw = [=]<class Real>(std::type_identity<Real> real, auto& source) {
     const Vec2<Real> u = next_pair<Real>(source);
-    const Vec3<Real> from(rounded<Real>(eye.x()), rounded<Real>(eye.y()), rounded<Real>(eye.z()));
+    const Vec3<Real> from = rounded_vector<Real>(eye);
     const Vec3<Real> way = Vec3<Real>(Real(30) + Real(40) * u.x(), Real(0), Real(95) + Real(40) * u.y()) - from;
     const Ray<Real> ray{from, way / way.norm(), Real(-1)};
     auto ahead = source.take(14);  // four shadow rays and three bounces
@@ -59,14 +54,10 @@ auto roulette_on_against_off(const std::string& name) {
     return Rgb<Real>(on.along(ray, real, source) - without);
   };
   const Reference reference{0, -52, 52, 0, /*scale=*/0.15};
-  return Estimand{name,
-                  {"RouletteByReflectance", "NoRoulette", "PathTracer"},
+  return estimand(name, {"RouletteByReflectance", "NoRoulette", "PathTracer"},
                   "on the floor of the Cornell box, up to four bounces, roulette on agrees with roulette off, per "
                   "channel",
-                  "the paper, 3.2.1",
-                  30,
-                  {reference, reference, reference},
-                  draw};
+                  "the paper, 3.2.1", {reference, reference, reference}, draw, 30);
 }
 
 }  // namespace fairlight

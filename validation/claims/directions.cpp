@@ -11,8 +11,7 @@ namespace {
 void add_hemispheres(std::vector<Claim>& claims) {
   constexpr double tau = 2 * std::numbers::pi;
   add_law(claims, LawEstimand{"hemisphere.uniform", "UniformHemisphere", "PBR 4ed, A.5.2",
-                              []<class Real>(std::type_identity<Real>) { return UniformHemisphere<Real>{}; },
-                              HemisphereDomain{}});
+                              component<UniformHemisphere>(), HemisphereDomain{}});
   add_law(claims, cosine_law<CosineHemisphere>());
   add_mean(claims,
            hemisphere_integral<UniformHemisphere>("importance.uniform.cosine", "UniformHemisphere", 1, tau));
@@ -21,9 +20,8 @@ void add_hemispheres(std::vector<Claim>& claims) {
 }
 
 void add_cones_and_lobes(std::vector<Claim>& claims) {
-  add_law(claims,
-          LawEstimand{"sphere.uniform", "UniformSphere", "Archimedes",
-                      []<class Real>(std::type_identity<Real>) { return UniformSphere<Real>{}; }, SphereDomain{1}});
+  add_law(claims, LawEstimand{"sphere.uniform", "UniformSphere", "Archimedes", component<UniformSphere>(),
+                              SphereDomain{1}});
   add_mean(claims, sphere_integral<UniformSphere>());
   add_law(claims, cone_law<UniformCone>());
   add_mean(claims, cone_integral<UniformCone>("importance.cone", 0.75));

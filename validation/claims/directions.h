@@ -13,8 +13,8 @@ namespace fairlight {
 /// A cone of 120 degrees half-angle: 1 - cos = 1.5, which floats represent exactly.
 template <template <class> class Cone>
 auto cone_law() {
-  return LawEstimand{"cone.uniform", "UniformCone", "Shirley, Wang, Zimmerman 1996",
-                     []<class Real>(std::type_identity<Real>) { return Cone<Real>(Real(1.5)); }, CapDomain(1.5)};
+  return LawEstimand{"cone.uniform", "UniformCone", "Shirley, Wang, Zimmerman 1996", component<Cone>(1.5),
+                     CapDomain(1.5)};
 }
 
 /// A power-cosine lobe about a tilted axis.
@@ -25,9 +25,7 @@ auto lobe_law(const std::string& name, double exponent) {
                      "PowerCosineLobe",
                      "Lafortune and Willems 1994",
                      [=]<class Real>(std::type_identity<Real>) {
-                       const Vec3<Real> about(rounded<Real>(axis.x()), rounded<Real>(axis.y()),
-                                              rounded<Real>(axis.z()));
-                       return Lobe<Real>(about, rounded<Real>(exponent));
+                       return Lobe<Real>(rounded_vector<Real>(axis), rounded<Real>(exponent));
                      },
                      CapDomain(1, axis),
                      8};
@@ -47,14 +45,10 @@ auto cone_integral(const std::string& name, double sine_squared) {
     });
     return estimator.estimate(source);
   };
-  return Estimand{
-      name,
-      {"UniformCone", "Importance"},
+  return estimand(
+      name, {"UniformCone", "Importance"},
       "the integral of 1 + sin^2 / sin^2_max over a cone with sin^2_max = " + std::to_string(sine_squared),
-      "elementary",
-      1,
-      {{mean, 0, 4 * std::numbers::pi * height * (1 + 1e-12)}},
-      draw};
+      "elementary", {{mean, 0, 4 * std::numbers::pi * height * (1 + 1e-12)}}, draw);
 }
 
 /// The integral of cos^m(alpha) over the directions about an axis is 2 pi / (m + 1). With a lobe of
@@ -72,14 +66,10 @@ auto lobe_integral(const std::string& name, double exponent) {
     });
     return estimator.estimate(source);
   };
-  return Estimand{
-      name,
-      {"PowerCosineLobe", "Importance"},
+  return estimand(
+      name, {"PowerCosineLobe", "Importance"},
       "the integral of cos^(3n/2) over directions by a lobe of exponent n = " + std::to_string(exponent),
-      "elementary",
-      1,
-      {{tau / (1.5 * exponent + 1), 0, tau / (exponent + 1) * (1 + 1e-9)}},
-      draw};
+      "elementary", {{tau / (1.5 * exponent + 1), 0, tau / (exponent + 1) * (1 + 1e-9)}}, draw);
 }
 
 /// The integral of z^2 over all directions is 4 pi / 3; a draw is 4 pi z^2.
@@ -90,13 +80,9 @@ auto sphere_integral() {
     return estimator.estimate(source);
   };
   constexpr double whole = 4 * std::numbers::pi;
-  return Estimand{"importance.sphere.height_squared",
-                  {"Importance", "UniformSphere"},
-                  "the integral of z^2 over all directions is 4 pi / 3",
-                  "elementary",
-                  1,
-                  {{whole / 3, 0, whole * (1 + 1e-12)}},
-                  draw};
+  return estimand("importance.sphere.height_squared", {"Importance", "UniformSphere"},
+                  "the integral of z^2 over all directions is 4 pi / 3", "elementary",
+                  {{whole / 3, 0, whole * (1 + 1e-12)}}, draw);
 }
 
 }  // namespace fairlight

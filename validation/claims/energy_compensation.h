@@ -38,15 +38,11 @@ auto metal_weight(const std::string& name, const GreyMetal<Loss>& metal, double 
                                                                                         auto& source) {
     const auto& surface = std::get<GreyConductor<Real, Loss>>(surfaces);
     const Vec2<Real> place = next_pair<Real>(source);
-    return Real(surface.sample(direction<Real>(out), {place.x(), place.y(), source.next()}).weight[0]);
+    return Real(surface.sample(rounded_vector<Real>(out), {place.x(), place.y(), source.next()}).weight[0]);
   };
-  return Estimand{name,
-                  {"EnergyCompensatedConductor", "ConstantReflectance"},
-                  "the weight of a bounce has the albedo as its mean; with white facets, 1",
-                  "Kulla and Conty 2017",
-                  1,
-                  {{.mean = albedo, .lower = 0, .upper = upper, .rounding = loss_rounding}},
-                  draw};
+  return estimand(name, {"EnergyCompensatedConductor", "ConstantReflectance"},
+                  "the weight of a bounce has the albedo as its mean; with white facets, 1", "Kulla and Conty 2017",
+                  {{.mean = albedo, .lower = 0, .upper = upper, .rounding = loss_rounding}}, draw);
 }
 
 /// The white furnace: facets that absorb nothing reflect all the light.
@@ -77,21 +73,18 @@ auto metal_uniform(const std::string& name) {
   const auto draw = [surfaces = metal.surfaces(), out = metal.view().out()]<class Real>(std::type_identity<Real>,
                                                                                         auto& source) {
     const auto& surface = std::get<GreyConductor<Real, Loss>>(surfaces);
-    const Vec3<Real> o = direction<Real>(out);
+    const Vec3<Real> o = rounded_vector<Real>(out);
     return Importance(UniformHemisphere<Real>{},
                       [&](const Vec3<Real>& in) { return Real(surface.eval(o, in)[0] * in.z()); })
         .estimate(source);
   };
-  return Estimand{name,
-                  {"EnergyCompensatedConductor", "UniformHemisphere"},
-                  "the integral of f cos over uniform directions is 1 for white facets",
-                  "Kulla and Conty 2017",
-                  1,
+  return estimand(name, {"EnergyCompensatedConductor", "UniformHemisphere"},
+                  "the integral of f cos over uniform directions is 1 for white facets", "Kulla and Conty 2017",
                   {{.mean = 1,
                     .lower = 0,
                     .upper = 1 + 2 * (1 - rough_albedo(0.6)) / (1 - rough_mean_albedo()),
                     .rounding = loss_rounding}},
-                  draw};
+                  draw);
 }
 
 }  // namespace fairlight

@@ -40,14 +40,10 @@ auto filter_moment(const std::string& name, const std::string& subject, double m
     return Rgb<Real>(within(x.x()), within(x.y()), (within(x.x()) + within(x.y())) / Real(2));
   };
   const Reference reference{1 - moment / (reach * reach), -1e-12, 1};
-  return Estimand{name + ".spread",
-                  {subject},
+  return estimand(name + ".spread", {subject},
                   "one less the mean squared offset over the reach's square, along either axis and over both, is "
                   "the closed form",
-                  "elementary",
-                  1,
-                  {reference, reference, reference},
-                  draw};
+                  "elementary", {reference, reference, reference}, draw);
 }
 
 }  // namespace fairlight

@@ -58,18 +58,13 @@ auto furnace_radiance(const std::string& name, std::vector<std::string> subjects
   // shadow rays the terms of depth 1 and more come one vertex earlier, times rho, so n vertices
   // bring 1 + rho n instead of n. That is more only for small n, far below the bound.
   const double q = furnace.albedo.maxCoeff();
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const double le = vertex * furnace.radiance[c];
-    references.push_back(furnace.reference_within(c, 0, GeometricSum{le, le, q}));
-  }
-  return Estimand{name,
-                  std::move(subjects),
-                  furnace.description + " the radiance is Le / (1 - rho), per channel",
-                  "geometric series of the transport operator",
-                  margin_factor,
-                  references,
-                  RadianceAlong(furnace.scene, furnace.ray, always(Tracer()))};
+    return furnace.reference_within(c, 0, GeometricSum{le, le, q});
+  };
+  return estimand(name, std::move(subjects), furnace.description + " the radiance is Le / (1 - rho), per channel",
+                  "geometric series of the transport operator", for_channels(reference),
+                  RadianceAlong(furnace.scene, furnace.ray, always(Tracer())), margin_factor);
 }
 
 /// A furnace with a white mirror ball, which is invisible: it shows what the sphere shows. The ray
@@ -110,19 +105,15 @@ auto two_spheres(const std::string& name, std::vector<std::string> subjects, dou
   // choice by power, 1 to 49, also 4.1. Roulette as in furnace_radiance.
   const Furnace furnace = furnace_with_another();
   const double q = furnace.albedo.maxCoeff();
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const double le = furnace.radiance[c], term = furnace.albedo[c] * le;
-    references.push_back(furnace.reference_within(c, le, GeometricSum{term, largest * term, q}));
-  }
-  return Estimand{name,
-                  std::move(subjects),
+    return furnace.reference_within(c, le, GeometricSum{term, largest * term, q});
+  };
+  return estimand(name, std::move(subjects),
                   "with two spheres of one emission and reflectance, one in the other, the radiance is Le / (1 - "
                   "rho), per channel",
-                  "geometric series of the transport operator",
-                  3,
-                  references,
-                  RadianceAlong(furnace.scene, furnace.ray, make)};
+                  "geometric series of the transport operator", for_channels(reference),
+                  RadianceAlong(furnace.scene, furnace.ray, make), 3);
 }
 
 /// Paths of at most `depth` bounces against the partial sum.
@@ -132,21 +123,17 @@ template <class Tracer>
 auto furnace_partial_sum(const std::string& name, std::vector<std::string> subjects, int depth,
                          double largest_weight) {
   const Furnace furnace;
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     double upper = 0;
     for (int k = 0; k <= depth; ++k) upper += std::pow(largest_weight * furnace.albedo[c], k);
-    references.push_back({furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)});
-  }
-  return Estimand{
-      name,
-      std::move(subjects),
+    return Reference{furnace.reference(c, depth), 0, furnace.radiance[c] * upper * (1 + 1e-9)};
+  };
+  return estimand(
+      name, std::move(subjects),
       formatted("inside a closed sphere the terms up to depth %d sum to Le (1 - rho^%d) / (1 - rho), per channel",
                 depth, depth + 1),
-      "geometric series of the transport operator",
-      1,
-      references,
-      RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth)))};
+      "geometric series of the transport operator", for_channels(reference),
+      RadianceAlong(furnace.scene, furnace.ray, always(Tracer(depth))));
 }
 
 }  // namespace fairlight

@@ -45,14 +45,11 @@ auto glossy_albedo(const std::string& name, double exponent, double theta, doubl
     const Vec3<Real> out(rounded<Real>(std::sin(theta)), Real(0), rounded<Real>(std::cos(theta)));
     return Real(surface.sample(out, next_pair<Real>(source)).weight[0]);
   };
-  return Estimand{name,
-                  {"Glossy"},
+  return estimand(name, {"Glossy"},
                   "the weight of a bounce has the reflectance as its mean, at " +
                       std::to_string(std::lround(theta * 180 / std::numbers::pi)) + " degrees",
                   theta == 0 ? "Lafortune and Willems 1994" : "by quadrature",
-                  1,
-                  {{albedo * glossy_reflectance(exponent, theta), 0, albedo * largest * (1 + 1e-9)}},
-                  draw};
+                  {{albedo * glossy_reflectance(exponent, theta), 0, albedo * largest * (1 + 1e-9)}}, draw);
 }
 
 template <class Real>

@@ -33,7 +33,7 @@ auto bounded_experiment(const std::string& name, std::vector<std::string> subjec
                         const std::string& source, double mean, const Make& make) {
   const auto draw = [make](auto real, auto& numbers) { return make(real).estimate(numbers); };
   const Bounded auto reference = make(std::type_identity<double>{});
-  return Estimand{name, std::move(subjects), statement, source, 1, {reference_of(mean, reference.bound())}, draw};
+  return estimand(name, std::move(subjects), statement, source, {reference_of(mean, reference.bound())}, draw);
 }
 
 /// Importance sampling of z^power by the law `Directions`. `largest` is the supremum of
@@ -73,33 +73,8 @@ auto lambertian_albedo(const std::string& name, const std::string& subject) {
     const Lambertian<Real, Directions> surface(Rgb<Real>::Constant(Real(albedo)));
     return Real(surface.sample({Real(0), Real(0), Real(1)}, next_pair<Real>(source)).weight[0]);
   };
-  return Estimand{name,
-                  {"Lambertian", subject},
-                  "the weight of a bounce has the albedo as its mean",
-                  "elementary",
-                  1,
-                  {{albedo, 0, 2 * albedo * (1 + 1e-12)}},
-                  draw};
-}
-
-/// With cosine-weighted directions every bounce has exactly the albedo as its weight.
-template <class Real>
-Claim lambertian_constant() {
-  return {.name = "lambertian.cosine.weight" + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = {"Lambertian", "CosineHemisphere"},
-          .statement = "the weight of every bounce is the albedo, to 4 ulp",
-          .source = "f cos / p = albedo",
-          .margin_factor = 1,
-          .check =
-              [](const Trial& trial) {
-                constexpr double albedo = 0.75;
-                const Lambertian<Real> surface(Rgb<Real>::Constant(Real(albedo)));
-                return check_constant<Real>(trial, albedo, 4, [&](auto& source) {
-                  return Real(surface.sample({Real(0), Real(0), Real(1)}, next_pair<Real>(source)).weight[0]);
-                });
-              },
-          .real = real_name<Real>()};
+  return estimand(name, {"Lambertian", subject}, "the weight of a bounce has the albedo as its mean", "elementary",
+                  {{albedo, 0, 2 * albedo * (1 + 1e-12)}}, draw);
 }
 
 /// The two dice of the paper (A.1). The sum of a loaded die, with face k of probability k/21, and a
@@ -122,13 +97,8 @@ auto two_dice(const std::string& name, std::vector<std::string> subjects) {
     };
     return Terms::template sum<Real>(2, source, die);
   };
-  return Estimand{name,
-                  std::move(subjects),
-                  "two unlike dice sum to 47/6 in the mean",
-                  "the paper, A.1",
-                  1,
-                  {{47.0 / 6, 0, 12}},
-                  draw};
+  return estimand(name, std::move(subjects), "two unlike dice sum to 47/6 in the mean", "the paper, A.1",
+                  {{47.0 / 6, 0, 12}}, draw);
 }
 
 }  // namespace fairlight

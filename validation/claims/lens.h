@@ -22,19 +22,14 @@ namespace fairlight {
 /// A Gaussian filter with a deviation of half a pixel, cut off at two deviations.
 template <template <class> class Filter>
 auto gaussian_law() {
-  return LawEstimand{"filter.gaussian",
-                     "GaussianFilter",
-                     "Ernst, Stamminger, Greiner 2006",
-                     []<class Real>(std::type_identity<Real>) { return Filter<Real>(Real(0.5), Real(1)); },
-                     SquareDomain{-1, 1},
-                     8};
+  return LawEstimand{"filter.gaussian",           "GaussianFilter",    "Ernst, Stamminger, Greiner 2006",
+                     component<Filter>(0.5, 1.0), SquareDomain{-1, 1}, 8};
 }
 
 /// Uniform points on a disk of radius 2.5.
 template <template <class> class Aperture>
 auto circular_aperture_law() {
-  return LawEstimand{"aperture.circle", "CircularAperture", "Shirley and Chiu 1997",
-                     []<class Real>(std::type_identity<Real>) { return Aperture<Real>(Real(2.5)); },
+  return LawEstimand{"aperture.circle", "CircularAperture", "Shirley and Chiu 1997", component<Aperture>(2.5),
                      DiskDomain{2.5}};
 }
 
@@ -69,14 +64,10 @@ inline auto polygon_second_moment(int blades) {
     const PolygonalAperture<Real> aperture(rounded<Real>(radius), blades);
     return Real(aperture.sample(next_pair<Real>(source)).squaredNorm());
   };
-  return Estimand{"aperture.polygon.second_moment." + std::to_string(blades),
-                  {"PolygonalAperture"},
+  return estimand("aperture.polygon.second_moment." + std::to_string(blades), {"PolygonalAperture"},
                   "over a regular polygon of " + std::to_string(blades) +
                       " corners the mean squared distance from the centre is R^2 (2 + cos(2 pi / n)) / 6",
-                  "elementary",
-                  1,
-                  {{mean, 0, radius * radius * (1 + 1e-12)}},
-                  draw};
+                  "elementary", {{mean, 0, radius * radius * (1 + 1e-12)}}, draw);
 }
 
 /// The direction of the pinhole's ray in the claims about lenses. It is far from the axis, so that
@@ -99,71 +90,53 @@ auto circle_of_confusion(double distance) {
     const Real d = rounded<Real>(distance);
     return Real((ray.origin + ray.direction * d - off_axis<Real>() * d).squaredNorm());
   };
-  return Estimand{
-      distance > focus ? "lens.confusion.behind" : "lens.confusion.before",
-      {"ThinLens", "CircularAperture"},
+  return estimand(
+      distance > focus ? "lens.confusion.behind" : "lens.confusion.before", {"ThinLens", "CircularAperture"},
       "the rays of a lens cross the plane at distance d at a mean squared distance of R^2/2 ((d - f)/f)^2 "
       "from the pinhole's",
-      "similar triangles",
-      1,
-      {{largest / 2, 0, largest * (1 + 1e-9)}},
-      draw};
+      "similar triangles", {{largest / 2, 0, largest * (1 + 1e-9)}}, draw);
 }
 
 /// A sum of coordinates of the point where a ray crosses the plane of focus. It is the same for
 /// every point of the lens.
-template <class Real, template <class, class> class Lens>
-Claim focus_claim() {
-  return {.name = "lens.focus" + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = {"ThinLens"},
-          .statement = "all rays of a lens meet in the point in focus, to 8 ulp",
-          .source = "the lens equation; Cook, Porter, Carpenter 1984",
-          .margin_factor = 1,
-          .check =
-              [](const Trial& trial) {
-                constexpr double focus = 2;
-                const Lens lens(Real(focus), CircularAperture<Real>(Real(0.25)));
-                return check_constant<Real>(trial, focus * (0.75 + 2 * 0.5), 8, [&](auto& source) {
-                  const LensRay<Real> ray = lens.ray(off_axis<Real>(), next_pair<Real>(source));
-                  const Vec3<Real> crossing = ray.origin + ray.direction * Real(focus);
-                  return Real(crossing.x() + Real(2) * crossing.y());
-                });
-              },
-          .real = real_name<Real>()};
+template <template <class, class> class Lens>
+auto lens_focus() {
+  constexpr double focus = 2;
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Lens lens(Real(focus), CircularAperture<Real>(Real(0.25)));
+    const LensRay<Real> ray = lens.ray(off_axis<Real>(), next_pair<Real>(source));
+    const Vec3<Real> crossing = ray.origin + ray.direction * Real(focus);
+    return Real(crossing.x() + Real(2) * crossing.y());
+  };
+  return constant("lens.focus", {"ThinLens"}, "all rays of a lens meet in the point in focus",
+                  "the lens equation; Cook, Porter, Carpenter 1984", focus * (0.75 + 2 * 0.5), 8, draw);
 }
 
 /// The mean radiance over an aperture of this area, for a field of constant radiance.
-template <class Aperture>
-Claim uniform_field_claim(const std::string& name, const std::string& subject, const Aperture& aperture,
-                          double area) {
-  using Real = typename Aperture::Scalar;
-  return {.name = name + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = {subject, "Importance"},
-          .statement = "a uniform field of radiance L, averaged over the aperture, is L, to 8 ulp",
-          .source = "the area of a disk, and of a regular polygon",
-          .margin_factor = 1,
-          .check =
-              [=](const Trial& trial) {
-                constexpr double radiance = 3;
-                const Real per_area = rounded<Real>(radiance / area);
-                const Importance mean(aperture, [=](const Vec2<Real>&) { return per_area; });
-                return check_constant<Real>(trial, radiance, 8,
-                                            [&](auto& source) { return mean.estimate(source); });
-              },
-          .real = real_name<Real>()};
+/// `make(type_identity<Real>)` gives the aperture.
+template <class Make>
+auto uniform_field(const std::string& shape, const std::string& subject, double area, const Make& make) {
+  constexpr double radiance = 3;
+  const auto draw = [=]<class Real>(std::type_identity<Real> real, auto& source) {
+    const Real per_area = rounded<Real>(radiance / area);
+    return Importance(make(real), [=](const Vec2<Real>&) { return per_area; }).estimate(source);
+  };
+  return constant("aperture." + shape + ".uniform_field", {subject, "Importance"},
+                  "a uniform field of radiance L, averaged over the aperture, is L",
+                  "the area of a disk, and of a regular polygon", radiance, 8, draw);
 }
 
-/// Adds these rows for a disk, and for a pentagon with its corners at 3/8.
-template <class Real>
-void add_uniform_fields(std::vector<Claim>& claims) {
-  constexpr double radius = 0.375;
-  claims.push_back(uniform_field_claim("aperture.circle.uniform_field", "CircularAperture",
-                                       CircularAperture<Real>(Real(radius)), std::numbers::pi * radius * radius));
-  claims.push_back(uniform_field_claim("aperture.polygon.uniform_field", "PolygonalAperture",
-                                       PolygonalAperture<Real>(Real(radius), 5),
-                                       2.5 * radius * radius * std::sin(2 * std::numbers::pi / 5)));
+/// The same for a disk, and for a pentagon with its corners at the same radius.
+inline constexpr double field_radius = 0.375;
+template <template <class> class Aperture>
+auto uniform_field_of_disk() {
+  return uniform_field("circle", "CircularAperture", std::numbers::pi * field_radius * field_radius,
+                       component<Aperture>(field_radius));
+}
+inline auto uniform_field_of_pentagon() {
+  return uniform_field(
+      "polygon", "PolygonalAperture", 2.5 * field_radius * field_radius * std::sin(2 * std::numbers::pi / 5),
+      []<class Real>(std::type_identity<Real>) { return PolygonalAperture<Real>(Real(field_radius), 5); });
 }
 
 }  // namespace fairlight

@@ -90,7 +90,7 @@ void add_rectangles(std::vector<Claim>& claims) {
 }
 
 void add_environment(std::vector<Claim>& claims) {
-  const auto make = []<class Real>(std::type_identity<Real>) { return ConstantEnvironment<Real>(); };
+  const auto make = component<ConstantEnvironment>();
   add_mean(claims, irradiance("environment.irradiance", "ConstantEnvironment",
                               "under a constant environment of unit radiance the irradiance is pi on either face",
                               "elementary", make, Vec3<double>(0.48, -0.6, 0.64), Faces::both, tau, 2 * tau));

@@ -12,11 +12,6 @@ namespace fairlight {
 /// Lights of unit radiance, seen from the origin: integrals over their directions, by a sampling
 /// strategy.
 
-template <class Real>
-Vec3<Real> rounded_vector(const Vec3<double>& v) {
-  return {rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z())};
-}
-
 /// A sphere. The origin may lie on it.
 struct SphereFromOrigin {
   Vec3<double> centre;
@@ -85,7 +80,7 @@ auto irradiance(const std::string& name, const std::string& subject, const std::
     const Real behind = faces == Faces::both ? Real(-cosine) : Real(0);
     return safe_divide(Real(select(cosine > Real(0), cosine, behind)), sample.density);
   };
-  return Estimand{name, {subject}, statement, source, 1, {{mean, 0, largest * (1 + 1e-9)}}, draw};
+  return estimand(name, {subject}, statement, source, {{mean, 0, largest * (1 + 1e-9)}}, draw);
 }
 
 /// The irradiance from a sphere, with the origin outside or on it.
@@ -130,13 +125,9 @@ auto rectangle_solid_angle_claim(const std::string& name, const std::string& sub
     const auto sample = light.sample(rounded_vector<Real>({0, 0, 0}), next_pair<Real>(numbers));
     return safe_divide(Real(1), sample.density);
   };
-  return Estimand{name,
-                  {subject},
-                  "the mean of 1/p is the solid angle of the rectangle",
+  return estimand(name, {subject}, "the mean of 1/p is the solid angle of the rectangle",
                   "elementary: the sum over the corners of atan(x y / (z r))",
-                  1,
-                  {{rectangle.solid_angle(), 0, largest * (1 + 1e-9)}},
-                  draw};
+                  {{rectangle.solid_angle(), 0, largest * (1 + 1e-9)}}, draw);
 }
 
 /// The directions that a strategy samples from a point, as a law.

@@ -10,28 +10,21 @@ namespace fairlight {
 /// Their own sum is small and exact to a thousandth of that.
 template <template <class> class Sum = LongSum>
 Claim long_sum_claim() {
-  return {.name = "long_sum.late.packet",
-          .kind = "constant",
-          .subjects = {"LongSum"},
-          .statement = "a sum that is 2^24 takes up 256 numbers below 1, to 2 ulp",
-          .source = "Neumaier 1974",
-          .margin_factor = 1,
-          .check =
-              [](const Trial& trial) {
-                return check_constant<Packet>(trial, 1, 2, [](auto& source) {
-                  const Packet before(0x1p24f);
-                  Sum<Packet> sum;
-                  sum.add(before);
-                  Packet late(0);
-                  for (int i = 0; i < 256; ++i) {
-                    const Packet x = source.next();
-                    sum.add(x);
-                    late += x;
-                  }
-                  return Packet(sum.value() / (before + late));
-                });
-              },
-          .real = "packet"};
+  const auto draw = [](std::type_identity<Packet>, auto& source) {
+    const Packet before(0x1p24f);
+    Sum<Packet> sum;
+    sum.add(before);
+    Packet late(0);
+    for (int i = 0; i < 256; ++i) {
+      const Packet x = source.next();
+      sum.add(x);
+      late += x;
+    }
+    return Packet(sum.value() / (before + late));
+  };
+  return constant_claim<Packet>(constant("long_sum.late", {"LongSum"},
+                                         "a sum that is 2^24 takes up 256 numbers below 1", "Neumaier 1974", 1, 2,
+                                         draw));
 }
 
 }  // namespace fairlight

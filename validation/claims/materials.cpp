@@ -14,12 +14,14 @@ using ImportanceGlass = Dielectric<Real, Transport::importance>;
 constexpr double degree = std::numbers::pi / 180;
 
 void add_smooth_claims(std::vector<Claim>& claims) {
-  add_constant_weight(claims, "mirror.weight", {"Mirror"}, "elementary", 60 * degree, 0.75,
-                      []<class Real>(std::type_identity<Real>) { return Mirror<Real>(detail::grey<Real>(0.75)); });
+  add_constant(claims, constant_weight("mirror.weight", {"Mirror"}, "elementary", 60 * degree, 0.75,
+                                       []<class Real>(std::type_identity<Real>) {
+                                         return Mirror<Real>(detail::grey<Real>(0.75));
+                                       }));
   const auto copper = []<class Real>(std::type_identity<Real>) { return Copper().surface<Real>(); };
-  add_constant_weight(claims, "conductor.weight", {"Conductor", "fresnel_conductor"},
-                      "Born and Wolf, 14.2, in complex amplitudes", 60 * degree,
-                      Copper().reflectance(0, 60 * degree), copper);
+  add_constant(claims, constant_weight("conductor.weight", {"Conductor", "fresnel_conductor"},
+                                       "Born and Wolf, 14.2, in complex amplitudes", 60 * degree,
+                                       Copper().reflectance(0, 60 * degree), copper));
   add_mean(claims, conductor_diffuse("conductor.diffuse"));
 }
 
@@ -40,28 +42,31 @@ void add_glass_claims(std::vector<Claim>& claims) {
   add_mean(claims, glass_albedo<Glass>("dielectric.inside.albedo", {0, 30, 60}, false));
   add_mean(claims, glass_diffuse<Glass>("dielectric.outside.diffuse", true));
   add_mean(claims, glass_diffuse<Glass>("dielectric.inside.diffuse", false));
-  claims.push_back(glass_energy<double, Glass>("dielectric.energy"));
-  claims.push_back(glass_energy<Packet, Glass>("dielectric.energy"));
-  add_constant_weight(claims, "dielectric.importance.weight", {"Dielectric"}, "conservation of energy", 1, 1,
-                      []<class Real>(std::type_identity<Real>) {
-                        return ImportanceGlass<Real>(rounded<Real>(detail::glass_index));
-                      });
+  add_constant(claims, glass_energy<Glass>());
+  add_constant(claims, constant_weight("dielectric.importance.weight", {"Dielectric"}, "conservation of energy", 1,
+                                       1, []<class Real>(std::type_identity<Real>) {
+                                         return ImportanceGlass<Real>(rounded<Real>(detail::glass_index));
+                                       }));
 }
 
 void add_mixture_claims(std::vector<Claim>& claims) {
   add_mean(claims, two_lambertians<Mixture>("mixture.lambertians.albedo"));
   add_mean(claims, mirror_and_lambertian<Mixture>("mixture.mirror.albedo"));
-  add_constant_weight(claims, "mixture.proportional.weight", {"Mixture", "Mirror", "Lambertian"},
-                      "f cos / p = the sum of w rho, where q is proportional to w rho", 1, 0.625,
-                      []<class Real>(std::type_identity<Real>) { return proportional_mixture<Real>(); });
+  add_constant(claims,
+               constant_weight("mixture.proportional.weight", {"Mixture", "Mirror", "Lambertian"},
+                               "f cos / p = the sum of w rho, where q is proportional to w rho", 1, 0.625,
+                               []<class Real>(std::type_identity<Real>) { return proportional_mixture<Real>(); }));
 }
 
 }  // namespace
 
 void add_material_claims(std::vector<Claim>& claims) {
   add_mean(claims, lambertian_albedo<UniformHemisphere>("lambertian.uniform.albedo", "UniformHemisphere"));
-  claims.push_back(lambertian_constant<double>());
-  claims.push_back(lambertian_constant<Packet>());
+  add_constant(
+      claims,
+      constant_weight(
+          "lambertian.cosine.weight", {"Lambertian", "CosineHemisphere"}, "f cos / p = albedo", 0, 0.75,
+          []<class Real>(std::type_identity<Real>) { return Lambertian<Real>(detail::grey<Real>(0.75)); }, 4));
   add_smooth_claims(claims);
   add_reflectances(claims);
   add_glass_claims(claims);

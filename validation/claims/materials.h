@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include <fairlight/estimators/conductor.h>
 #include <fairlight/estimators/dielectric.h>
@@ -50,32 +49,26 @@ Bounce<typename Surface::Scalar> bounce(const Surface& surface, const Vec3<typen
 /// The albedo at three angles [degrees] from one side, one for each channel, against Fresnel's
 /// equations in the angles.
 template <template <class> class Glass>
-auto glass_albedo(const std::string& name, const std::array<double, 3>& degrees, bool above) {
+auto glass_albedo(const std::string& name, const Rgb<double>& degrees, bool above) {
   using detail::glass_index;
   const double eta = above ? glass_index : 1 / glass_index;
-  std::array<double, 3> angles{};
-  std::vector<Reference> references;
-  for (std::size_t c = 0; c < 3; ++c) {
-    angles[c] = degrees[c] * std::numbers::pi / 180;
-    const double mean = radiance_albedo(fresnel_by_angles(angles[c], eta), eta);
-    references.push_back({mean, 0, largest_radiance_weight(eta) * (1 + 1e-12)});
-  }
+  const Rgb<double> angles = degrees * (std::numbers::pi / 180);
+  const auto reference = [&](int c) {
+    return Reference{radiance_albedo(fresnel_by_angles(angles[c], eta), eta), 0,
+                     largest_radiance_weight(eta) * (1 + 1e-12)};
+  };
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Glass<Real> glass(rounded<Real>(glass_index));
     Rgb<Real> weight;
     for (int c = 0; c < 3; ++c) {
-      const Vec3<Real> out = detail::out_at<Real>(angles[static_cast<std::size_t>(c)], above);
+      const Vec3<Real> out = detail::out_at<Real>(angles[c], above);
       weight[c] = detail::bounce(glass, out, source).weight[0];
     }
     return weight;
   };
-  return Estimand{name,
-                  {"Dielectric"},
+  return estimand(name, {"Dielectric"},
                   "radiance through glass: the mean weight of a bounce is F + (1 - F) / eta^2, at three angles",
-                  "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2",
-                  1,
-                  references,
-                  draw};
+                  "Born and Wolf, 1.5.2, in the angles; Veach 1997, 5.2", for_channels(reference), draw);
 }
 
 /// For cosine-distributed `out` the mean weight is R + (1 - R) / eta^2, with R the diffuse
@@ -91,13 +84,10 @@ auto glass_diffuse(const std::string& name, bool above) {
     if (!above) out = Vec3<Real>(-out);
     return Real(detail::bounce(Glass<Real>(rounded<Real>(glass_index)), out, source).weight[0]);
   };
-  return Estimand{name,
-                  {"Dielectric", "CosineHemisphere"},
+  return estimand(name, {"Dielectric", "CosineHemisphere"},
                   "diffuse radiance through glass: the mean weight of a bounce is R + (1 - R) / eta^2",
                   "Walsh 1926; Duntley 1942",
-                  1,
-                  {{radiance_albedo(reflectance, eta), 0, largest_radiance_weight(eta) * (1 + 1e-12)}},
-                  draw};
+                  {{radiance_albedo(reflectance, eta), 0, largest_radiance_weight(eta) * (1 + 1e-12)}}, draw);
 }
 
 /// The diffuse reflectance of glass from outside: the mean of 2 F cos over cosines that are uniform
@@ -112,13 +102,9 @@ inline auto fresnel_diffuse(const std::string& name) {
     });
     return Real(estimator.estimate(source));
   };
-  return Estimand{name,
-                  {"fresnel_dielectric", "Importance"},
-                  "glass reflects of diffuse light what Walsh and Duntley say",
-                  "Walsh 1926; Duntley 1942",
-                  1,
-                  {{diffuse_reflectance_outside(detail::glass_index), 0, upper}},
-                  draw};
+  return estimand(name, {"fresnel_dielectric", "Importance"},
+                  "glass reflects of diffuse light what Walsh and Duntley say", "Walsh 1926; Duntley 1942",
+                  {{diffuse_reflectance_outside(detail::glass_index), 0, upper}}, draw);
 }
 
 /// The weight of a bounce off glass without the factor 1 / eta^2 of radiance: w eta^2 if it is
@@ -133,39 +119,28 @@ typename Glass::Scalar energy_weight(const Glass& glass, const Vec3<typename Gla
 }
 
 /// Conservation of energy: this weight is 1 for every direction.
-template <class Real, template <class> class Glass>
-Claim glass_energy(const std::string& name) {
-  const auto check = [](const Trial& trial) {
-    return check_constant<Real>(trial, 1, 4, [](auto& source) {
-      const Glass<Real> glass(rounded<Real>(detail::glass_index));
-      const Vec3<Real> out = UniformSphereArea<Real>(Real(1)).sample(next_pair<Real>(source));
-      return energy_weight(glass, out, detail::bounce(glass, out, source));
-    });
+template <template <class> class Glass>
+auto glass_energy() {
+  const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
+    const Glass<Real> glass(rounded<Real>(detail::glass_index));
+    const Vec3<Real> out = UniformSphereArea<Real>(Real(1)).sample(next_pair<Real>(source));
+    return energy_weight(glass, out, detail::bounce(glass, out, source));
   };
-  return {.name = name + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = {"Dielectric"},
-          .statement = "what glass does not reflect it refracts: weight eta^2 is 1 for every bounce, to 4 ulp",
-          .source = "conservation of energy",
-          .margin_factor = 1,
-          .check = check,
-          .real = real_name<Real>()};
+  return constant("dielectric.energy", {"Dielectric"},
+                  "what glass does not reflect it refracts: weight eta^2 is 1 for every bounce",
+                  "conservation of energy", 1, 4, draw);
 }
 
 /// A metal like copper, in red, green and blue: absorbing in all channels, and most unlike an
 /// insulator in red.
 struct Copper {
-  std::array<double, 3> eta{0.22, 1.04, 1.21};
-  std::array<double, 3> k{3.7, 2.58, 2.2};
+  Rgb<double> eta{0.22, 1.04, 1.21}, k{3.7, 2.58, 2.2};
 
   template <class Real>
   Conductor<Real> surface() const {
-    const auto colour = [](const std::array<double, 3>& x) {
-      return Rgb<Real>(rounded<Real>(x[0]), rounded<Real>(x[1]), rounded<Real>(x[2]));
-    };
-    return Conductor<Real>(colour(eta), colour(k));
+    return Conductor<Real>(rounded_colour<Real>(eta), rounded_colour<Real>(k));
   }
-  double reflectance(std::size_t channel, double angle) const {
+  double reflectance(int channel, double angle) const {
     return fresnel_by_amplitudes(angle, {eta[channel], k[channel]});
   }
 };
@@ -173,53 +148,28 @@ struct Copper {
 /// The reflectance of a smooth conductor for diffuse light: F sin(2 i) over the angle, by
 /// quadrature.
 inline auto conductor_diffuse(const std::string& name) {
-  std::vector<Reference> references;
-  for (std::size_t c = 0; c < 3; ++c) {
+  const auto reference = [](int c) {
     const auto reflected = [c](double i, double) { return Copper().reflectance(c, i) * std::sin(2 * i); };
-    const double mean = integrate_rectangle(reflected, 0, std::numbers::pi / 2, 0, 1).value;
-    references.push_back({mean, 0, 1 + 1e-12});
-  }
+    return Reference{integrate_rectangle(reflected, 0, std::numbers::pi / 2, 0, 1).value, 0, 1 + 1e-12};
+  };
   const auto draw = []<class Real>(std::type_identity<Real>, auto& source) {
     const Vec3<Real> out = CosineHemisphere<Real>().sample(next_pair<Real>(source));
     return detail::bounce(Copper().surface<Real>(), out, source).weight;
   };
-  return Estimand{name,
-                  {"Conductor", "fresnel_conductor", "CosineHemisphere"},
+  return estimand(name, {"Conductor", "fresnel_conductor", "CosineHemisphere"},
                   "copper reflects of diffuse light the integral of Fresnel's equations, per channel",
-                  "Born and Wolf, 14.2, in complex amplitudes; quadrature",
-                  1,
-                  references,
-                  draw};
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", for_channels(reference), draw);
 }
 
-/// The row for a surface where every bounce from `angle` has the same weight, its albedo `mean`.
+/// A surface where every bounce from `angle` has the same weight, its albedo `mean`.
 /// `make(type_identity<Real>)` gives the surface.
-template <class Real, class Make>
-Claim constant_weight(const std::string& name, std::vector<std::string> subjects, const std::string& source,
-                      double angle, double mean, const Make& make) {
-  const auto check = [=](const Trial& trial) {
-    const auto surface = make(std::type_identity<Real>{});
-    return check_constant<Real>(trial, mean, 8, [&](auto& numbers) {
-      return Real(detail::bounce(surface, detail::out_at<Real>(angle, true), numbers).weight[0]);
-    });
-  };
-  return {.name = name + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = std::move(subjects),
-          .statement = "the weight of every bounce is the albedo, to 8 ulp",
-          .source = source,
-          .margin_factor = 1,
-          .check = check,
-          .real = real_name<Real>()};
-}
-
-/// Adds this row in double and in packets.
 template <class Make>
-void add_constant_weight(std::vector<Claim>& claims, const std::string& name,
-                         const std::vector<std::string>& subjects, const std::string& source, double angle,
-                         double mean, const Make& make) {
-  claims.push_back(constant_weight<double>(name, subjects, source, angle, mean, make));
-  claims.push_back(constant_weight<Packet>(name, subjects, source, angle, mean, make));
+auto constant_weight(const std::string& name, std::vector<std::string> subjects, const std::string& source,
+                     double angle, double mean, const Make& make, int ulps = 8) {
+  const auto draw = [=]<class Real>(std::type_identity<Real> real, auto& numbers) {
+    return Real(detail::bounce(make(real), detail::out_at<Real>(angle, true), numbers).weight[0]);
+  };
+  return constant(name, std::move(subjects), "the weight of every bounce is the albedo", source, mean, ulps, draw);
 }
 
 }  // namespace fairlight

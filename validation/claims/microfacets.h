@@ -7,12 +7,6 @@
 
 namespace fairlight {
 
-/// A direction, rounded to Real.
-template <class Real>
-Vec3<Real> direction(const Eigen::Vector3d& w) {
-  return {rounded<Real>(w.x()), rounded<Real>(w.y()), rounded<Real>(w.z())};
-}
-
 /// A GGX surface, and the direction that it is seen from: the height z > 0, at a fixed azimuth.
 struct GgxView {
   double alpha_x, alpha_y, z;
@@ -34,7 +28,7 @@ template <template <class> class Normals = GgxVisibleNormals>
 auto visible_normals_law(const std::string& name, const GgxView& view) {
   return LawEstimand{name, "GgxVisibleNormals", "Heitz 2018; Dupuy and Benyoub 2023",
                      [=]<class Real>(std::type_identity<Real>) {
-                       return Normals<Real>(view.facets<Ggx, Real>(), direction<Real>(view.out()));
+                       return Normals<Real>(view.facets<Ggx, Real>(), rounded_vector<Real>(view.out()));
                      },
                      LuneDomain{view.out(), Eigen::Vector3d::UnitZ()}};
 }
@@ -47,7 +41,7 @@ template <template <class> class Facets = Ggx>
 auto facet_area(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const Facets<Real> facets = view.facets<Facets, Real>();
-    const Vec3<Real> out = direction<Real>(view.out());
+    const Vec3<Real> out = rounded_vector<Real>(view.out());
     return Importance(UniformHemisphere<Real>{},
                       [=](const Vec3<Real>& m) {
                         const Real facing = out.dot(m);
@@ -56,13 +50,9 @@ auto facet_area(const std::string& name, const GgxView& view) {
         .estimate(source);
   };
   const double area = view.z * (1 + GgxAlbedo{view.alpha_x, view.alpha_y}.lambda(view.out()));
-  return Estimand{name,
-                  {"Ggx", "UniformHemisphere"},
+  return estimand(name, {"Ggx", "UniformHemisphere"},
                   "the facets that face a direction have the area cos(theta) (1 + Lambda), seen from there",
-                  "Heitz 2014",
-                  1,
-                  {{area, 0, 2 / (view.alpha_x * view.alpha_y) * (1 + 1e-12)}},
-                  draw};
+                  "Heitz 2014", {{area, 0, 2 / (view.alpha_x * view.alpha_y) * (1 + 1e-12)}}, draw);
 }
 
 /// A conductor of white facets. A fault can replace its parts.
@@ -78,15 +68,11 @@ template <template <class> class Facets = Ggx, template <class> class Normals = 
 auto conductor_weight(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const auto surface = white_conductor<Real, Facets, Normals>(view);
-    return Real(surface.sample(direction<Real>(view.out()), next_pair<Real>(source)).weight[0]);
+    return Real(surface.sample(rounded_vector<Real>(view.out()), next_pair<Real>(source)).weight[0]);
   };
-  return Estimand{name,
-                  {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
+  return estimand(name, {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
                   "the weight of a bounce off white facets has the albedo as its mean",
-                  "quadrature over the slopes; Walter et al. 2007",
-                  1,
-                  {{view.albedo(), 0, 1.01}},
-                  draw};
+                  "quadrature over the slopes; Walter et al. 2007", {{view.albedo(), 0, 1.01}}, draw);
 }
 
 /// The same from `eval` and the density of the bounce; 0 if there is none.
@@ -94,18 +80,14 @@ template <template <class> class Facets = Ggx, template <class> class Normals = 
 auto conductor_density(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const auto surface = white_conductor<Real, Facets, Normals>(view);
-    const Vec3<Real> out = direction<Real>(view.out());
+    const Vec3<Real> out = rounded_vector<Real>(view.out());
     const Bounce<Real> bounce = surface.sample(out, next_pair<Real>(source));
     const Real p = bounce.density.value();
     return Real(surface.eval(out, bounce.in)[0] * bounce.in.z() / select(p > Real(0), p, Real(1)));
   };
-  return Estimand{name,
-                  {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
+  return estimand(name, {"RoughConductor", "Ggx", "GgxVisibleNormals", "ConstantReflectance"},
                   "f cos / p of the bounces off white facets has the albedo as its mean",
-                  "quadrature over the slopes; Walter et al. 2007",
-                  1,
-                  {{view.albedo(), 0, 1.01}},
-                  draw};
+                  "quadrature over the slopes; Walter et al. 2007", {{view.albedo(), 0, 1.01}}, draw);
 }
 
 /// The same from uniform directions.
@@ -115,19 +97,16 @@ template <template <class> class Facets = Ggx>
 auto conductor_uniform(const std::string& name, const GgxView& view) {
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
     const auto surface = white_conductor<Real, Facets, GgxVisibleNormals>(view);
-    const Vec3<Real> out = direction<Real>(view.out());
+    const Vec3<Real> out = rounded_vector<Real>(view.out());
     return Importance(UniformHemisphere<Real>{},
                       [=](const Vec3<Real>& in) { return Real(surface.eval(out, in)[0] * in.z()); })
         .estimate(source);
   };
   const double stretched = view.z * (1 + 2 * GgxAlbedo{view.alpha_x, view.alpha_y}.lambda(view.out()));
-  return Estimand{name,
-                  {"RoughConductor", "UniformHemisphere"},
+  return estimand(name, {"RoughConductor", "UniformHemisphere"},
                   "the integral of f cos over uniform directions is the albedo of white facets",
                   "quadrature over the slopes; Walter et al. 2007",
-                  1,
-                  {{view.albedo(), 0, (1 + 1e-12) / (view.alpha_x * view.alpha_y * stretched)}},
-                  draw};
+                  {{view.albedo(), 0, (1 + 1e-12) / (view.alpha_x * view.alpha_y * stretched)}}, draw);
 }
 
 }  // namespace fairlight

@@ -42,13 +42,10 @@ auto two_lambertians(const std::string& name) {
     return detail::weight_and_height(detail::bounce(surface, detail::out_at<Real>(1, true), source));
   };
   constexpr double upper = albedo / (q + (1 - q) / 2) * (1 + 1e-12);
-  return Estimand{name,
-                  {"Mixture", "Lambertian", "UniformHemisphere", "CosineHemisphere"},
+  return estimand(name, {"Mixture", "Lambertian", "UniformHemisphere", "CosineHemisphere"},
                   "two diffuse lobes, sampled in two ways, reflect the sum of their albedos, and of their cosines",
                   "elementary: the integral of z^n over the hemisphere is 2 pi / (n + 1)",
-                  1,
-                  {{albedo, 0, upper}, {albedo * 2 / 3, 0, upper}},
-                  draw};
+                  {{albedo, 0, upper}, {albedo * 2 / 3, 0, upper}}, draw);
 }
 
 /// A mirror and a diffuse lobe, seen at the height 0.6. The probabilities of the lobes are not
@@ -69,13 +66,9 @@ auto mirror_and_lambertian(const std::string& name) {
         detail::bounce(surface, Vec3<Real>(Real(0), rounded<Real>(0.8), rounded<Real>(z)), source));
   };
   constexpr double upper = diffuse / (1 - q) * (1 + 1e-12);
-  return Estimand{name,
-                  {"Mixture", "Mirror", "Lambertian"},
+  return estimand(name, {"Mixture", "Mirror", "Lambertian"},
                   "a mirror and a diffuse lobe reflect the sum of their albedos, and of their cosines",
-                  "elementary",
-                  1,
-                  {{shiny + diffuse, 0, upper}, {shiny * z + diffuse * 2 / 3, 0, upper}},
-                  draw};
+                  "elementary", {{shiny + diffuse, 0, upper}, {shiny * z + diffuse * 2 / 3, 0, upper}}, draw);
 }
 
 /// With probabilities proportional to the reflectances, every bounce has the albedo as its weight:

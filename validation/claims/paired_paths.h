@@ -88,8 +88,7 @@ template <class Parts, class Draw>
 auto over_part(const Camera& camera, std::size_t c, const Draw& draw) {
   return [=](std::type_identity<Packet>, auto& source) {
     const Vec2<Packet> place = Parts::place(c, next_pair<Packet>(source));
-    const Rgb<Packet> colour = draw(camera.template ray<Packet>(place.x(), place.y(), 1, 1, source), source);
-    return Packet((colour[0] + colour[1] + colour[2]) / Packet(3));
+    return mean_channel(draw(camera.template ray<Packet>(place.x(), place.y(), 1, 1, source), source));
   };
 }
 
@@ -167,8 +166,7 @@ Claim paired_claim(const PairedPaths& paths, const PartMeans& parts, double marg
   std::vector<Reference> references;
   for (const double mean : parts.means) references.push_back({0, paths.darkest, paths.brightest, 0, mean});
   const View view = built_in_scene(paths.scene);
-  const RadianceAlong difference(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1},
-                                 paired_tracers<One>(paths.one, paths.other, view.scene));
+  const RadianceAlong difference(view.scene, paired_tracers<One>(paths.one, paths.other, view.scene));
   const auto draw = [=](const Ray<Packet>& ray, auto& source) {
     return difference.along(ray, std::type_identity<Packet>{}, source);
   };

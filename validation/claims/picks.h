@@ -64,14 +64,10 @@ auto sum_of_lights(const std::string& name, std::vector<std::string> subjects, c
       return in_packets(source);
     }
   };
-  return Estimand{
-      name,
-      std::move(subjects),
+  return estimand(
+      name, std::move(subjects),
       how + " of " + std::to_string(lights.terms.size()) + " unequal lights, a third of them black, sums them all",
-      "elementary; the paper, A.1",
-      margin_factor,
-      {{lights.sum(), 0, 2 * largest}},
-      draw};
+      "elementary; the paper, A.1", {{lights.sum(), 0, 2 * largest}}, draw, margin_factor);
 }
 
 /// One light, picked by power.

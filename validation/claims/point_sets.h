@@ -166,13 +166,8 @@ inline auto product_integral() {
     source.next();
     return Real(x0 * source.next());
   };
-  return Estimand{"stream.product",
-                  {"PhiloxStream"},
-                  "the integral of x0 x2 over the cube is 1/4",
-                  "elementary",
-                  2,
-                  {{0.25, 0, 1}},
-                  draw};
+  return estimand("stream.product", {"PhiloxStream"}, "the integral of x0 x2 over the cube is 1/4", "elementary",
+                  {{0.25, 0, 1}}, draw, 2);
 }
 
 /// The numbers of a source, unchanged.
@@ -195,13 +190,8 @@ auto blocks_integral() {
     }
     return product;
   };
-  return Estimand{"stream.blocks",
-                  {"PhiloxStream"},
-                  "the integral of x0 x5 x10 over the cube is 1/8",
-                  "elementary",
-                  4,
-                  {{0.125, 0, 1}},
-                  draw};
+  return estimand("stream.blocks", {"PhiloxStream"}, "the integral of x0 x5 x10 over the cube is 1/8", "elementary",
+                  {{0.125, 0, 1}}, draw, 4);
 }
 
 }  // namespace fairlight

@@ -20,9 +20,14 @@ class RadianceAlong {
         tracers_(make(std::type_identity<double>{}), make(std::type_identity<Packet>{})),
         ray_(ray) {}
 
+  /// For `along` alone.
+  RadianceAlong(const Scene& scene, const Make& make) : RadianceAlong(scene, {{0, 0, 0}, {0, 0, 1}, -1}, make) {}
+
   template <class Real, class Source>
   Rgb<Real> operator()(std::type_identity<Real> real, Source& source) const {
-    return along(ray<Real>(), real, source);
+    const Ray<Real> ray{rounded_vector<Real>(ray_.origin), rounded_vector<Real>(ray_.direction),
+                        rounded<Real>(ray_.origin_primitive)};
+    return along(ray, real, source);
   }
 
   /// The radiance along another ray of the same scene.
@@ -33,14 +38,6 @@ class RadianceAlong {
   }
 
  private:
-  template <class Real>
-  Ray<Real> ray() const {
-    const auto in_lanes = [](const Vec3<double>& v) {
-      return Vec3<Real>(rounded<Real>(v.x()), rounded<Real>(v.y()), rounded<Real>(v.z()));
-    };
-    return {in_lanes(ray_.origin), in_lanes(ray_.direction), rounded<Real>(ray_.origin_primitive)};
-  }
-
   std::tuple<std::shared_ptr<const TracedScene<double>>, std::shared_ptr<const TracedScene<Packet>>> scenes_;
   std::tuple<decltype(std::declval<Make>()(std::type_identity<double>{})),
              decltype(std::declval<Make>()(std::type_identity<Packet>{}))>

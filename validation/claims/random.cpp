@@ -28,26 +28,21 @@ void add_padded_set(std::vector<Claim>& claims, const PointSetKind<Set>& kind, s
 }  // namespace
 
 void add_random_claims(std::vector<Claim>& claims) {
-  add_law(claims, LawEstimand{"stream.philox", "PhiloxStream", "Salmon et al. 2011",
-                              []<class Real>(std::type_identity<Real>) { return UniformSquare<Real>{}; },
+  add_law(claims, LawEstimand{"stream.philox", "PhiloxStream", "Salmon et al. 2011", component<UniformSquare>(),
                               SquareDomain{0, 1}, 5, true});
   claims.push_back(streams_uncorrelated_claim());
   claims.push_back(mean_claim_alone<double>(product_integral()));
   claims.push_back(mean_claim_alone<Packet>(product_integral()));
   claims.push_back(mean_claim_alone<double>(blocks_integral()));
   claims.push_back(mean_claim_alone<Packet>(blocks_integral()));
-  claims.push_back(replicates_claim(product_integral(), sobol_points(), 1));
-  claims.push_back(replicates_claim(product_integral(), stratified_points(), 1));
-  claims.push_back(replicates_claim(product_integral(), latin_points(), 1));
-  add_point_set(claims, sobol_points());
-  add_point_set(claims, stratified_points());
-  add_point_set(claims, latin_points());
+  for_each_point_set([&](const auto& kind) {
+    claims.push_back(replicates_claim(product_integral(), kind, 1));
+    claims.push_back(three_points_claim(kind));
+    add_point_set(claims, kind);
+  });
   claims.push_back(stratified_variance_claim(sobol_points(), 16, 16));
   claims.push_back(stratified_variance_claim(stratified_points(), 16, 4));
   claims.push_back(stratified_variance_claim(latin_points(), 16, 16));
-  claims.push_back(three_points_claim(sobol_points()));
-  claims.push_back(three_points_claim(stratified_points()));
-  claims.push_back(three_points_claim(latin_points()));
   claims.push_back(vertices_claim<double, IndependentNumbers>("independent", {"IndependentNumbers"}, 1));
   claims.push_back(vertices_claim<Packet, IndependentNumbers>("independent", {"IndependentNumbers"}, 1));
   add_padded_set<PaddedSobolSet, PaddedSobol>(claims, padded_sobol_points(), 16, 1.0 / 6);

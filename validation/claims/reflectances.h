@@ -35,12 +35,6 @@ inline double mean_over_cosines(double low, double high, const auto& reflectance
   return integrate_rectangle(integrand, std::acos(high), std::acos(low), 0, 1).value / (high - low);
 }
 
-/// A colour, rounded to Real.
-template <class Real>
-Rgb<Real> rounded_colour(const std::array<double, 3>& x) {
-  return {rounded<Real>(x[0]), rounded<Real>(x[1]), rounded<Real>(x[2])};
-}
-
 /// A cosine that is uniform in [low, high).
 template <class Real>
 Real cosine_between(double low, double high, auto& source) {
@@ -68,14 +62,10 @@ inline auto insulator_outside(const CosineRange& range) {
       reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(insulator_indices[c]));
     return reflected;
   };
-  return Estimand{
-      std::string("fresnel.dielectric.outside.") + range.name,
-      {"fresnel_dielectric"},
+  return estimand(
+      std::string("fresnel.dielectric.outside.") + range.name, {"fresnel_dielectric"},
       "three insulators reflect from outside the integral of Fresnel's equations, over a range of cosines",
-      "Born and Wolf, 1.5.2, in the angles; quadrature",
-      1,
-      references,
-      draw};
+      "Born and Wolf, 1.5.2, in the angles; quadrature", references, draw);
 }
 
 /// The reflectance of an insulator from inside. Over all cosines: 1 up to the critical cosine, the
@@ -100,35 +90,25 @@ inline auto insulator_inside(const std::string& name, bool refracted) {
     }
     return reflected;
   };
-  return Estimand{
-      name,
-      {"fresnel_dielectric"},
+  return estimand(
+      name, {"fresnel_dielectric"},
       "three insulators reflect from inside the integral of Fresnel's equations, and all beyond the critical angle",
-      "Born and Wolf, 1.5.2, in the angles; quadrature",
-      1,
-      references,
-      draw};
+      "Born and Wolf, 1.5.2, in the angles; quadrature", references, draw);
 }
 
 /// The reflectance of copper, whose index is complex.
 inline auto copper_reflectance(const CosineRange& range) {
-  std::vector<Reference> references;
-  for (std::size_t c = 0; c < 3; ++c) {
+  const auto reference = [&](int c) {
     const auto reflectance = [c](double angle) { return Copper().reflectance(c, angle); };
-    references.push_back({detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-12});
-  }
+    return Reference{detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-12};
+  };
   const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
-    const FresnelReflectance<Real> copper(detail::rounded_colour<Real>(Copper().eta),
-                                          detail::rounded_colour<Real>(Copper().k));
+    const FresnelReflectance<Real> copper(rounded_colour<Real>(Copper().eta), rounded_colour<Real>(Copper().k));
     return copper(detail::cosine_between<Real>(range.low, range.high, source));
   };
-  return Estimand{std::string("fresnel.conductor.") + range.name,
-                  {"FresnelReflectance", "fresnel_conductor"},
+  return estimand(std::string("fresnel.conductor.") + range.name, {"FresnelReflectance", "fresnel_conductor"},
                   "copper reflects the integral of Fresnel's equations, over a range of cosines",
-                  "Born and Wolf, 14.2, in complex amplitudes; quadrature",
-                  1,
-                  references,
-                  draw};
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", for_channels(reference), draw);
 }
 
 /// The parameters of the rows on Schlick's reflectance: one at normal incidence for each channel.
@@ -140,24 +120,21 @@ inline std::vector<ParameterRange> schlick_ranges() {
 }
 
 /// The mean of (1 - c)^5 over c in [a, b] is ((1 - a)^6 - (1 - b)^6) / (6 (b - a)).
-inline auto schlick_reflectance(const CosineRange& range, const std::vector<double>& at_normal) {
+inline auto schlick_reflectance(const CosineRange& range, const std::vector<double>& values) {
+  const Rgb<double> at_normal(values[0], values[1], values[2]);
   const auto& [name, a, b] = range;
   const double power = (std::pow(1 - a, 6) - std::pow(1 - b, 6)) / (6 * (b - a));
-  const std::array<double, 3> colour{at_normal[0], at_normal[1], at_normal[2]};
-  std::vector<Reference> references;
-  for (const double f : colour)
-    references.push_back({f + (1 - f) * power, 0, (f + (1 - f) * std::pow(1 - a, 5)) * (1 + 1e-12)});
-  const auto draw = [range, colour]<class Real>(std::type_identity<Real>, auto& source) {
-    return SchlickReflectance<Real>(detail::rounded_colour<Real>(colour))(
-        detail::cosine_between<Real>(range.low, range.high, source));
+  const auto reference = [&](int c) {
+    const double f = at_normal[c];
+    return Reference{f + (1 - f) * power, 0, (f + (1 - f) * std::pow(1 - a, 5)) * (1 + 1e-12)};
   };
-  return Estimand{std::string("schlick.") + name,
-                  {"SchlickReflectance"},
+  const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
+    const SchlickReflectance<Real> schlick(rounded_colour<Real>(at_normal));
+    return schlick(detail::cosine_between<Real>(range.low, range.high, source));
+  };
+  return estimand(std::string("schlick.") + name, {"SchlickReflectance"},
                   "Schlick's reflectance has the integral of a fifth power, over a range of cosines",
-                  "elementary; Schlick 1994",
-                  1,
-                  references,
-                  draw};
+                  "elementary; Schlick 1994", for_channels(reference), draw);
 }
 
 }  // namespace fairlight

@@ -39,8 +39,7 @@ class ReflectedLight {
   /// (1,1) the lower right one.
   template <class Real, class Source>
   Real operator()(std::type_identity<Real> real, const Vec2<Real>& place, Source& source) const {
-    const Rgb<Real> light = along(real, camera_.template ray<Real>(place.x(), place.y(), 1, 1, source), source);
-    return (light[0] + light[1] + light[2]) / Real(3);
+    return mean_channel(along(real, camera_.template ray<Real>(place.x(), place.y(), 1, 1, source), source));
   }
 
   /// The reflected light along a ray, in colour.
@@ -56,8 +55,7 @@ class ReflectedLight {
     return settings;
   }
   static auto tracer(const View& view, const RenderSettings& settings) {
-    return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1},
-                         chosen_tracers<Wrong>(settings, view.scene));
+    return RadianceAlong(view.scene, chosen_tracers<Wrong>(settings, view.scene));
   }
   using Tracer = decltype(tracer(std::declval<View>(), RenderSettings()));
 
@@ -119,13 +117,10 @@ auto same_means(const RelatedViews& views, const PictureMeans& means) {
     const Real a = one(real, place, source) * rounded<Real>(factor);
     return Real(other(real, place, means.same_numbers ? same : source) - a);
   };
-  return Estimand{views.name,
-                  {"PathTracer", "DirectLight"},
-                  views.statement + (means.same_numbers ? ", path by path" : ""),
-                  "the light transport equation",
-                  means.margin_factor,
-                  {{0, -means.largest, means.largest, 0, means.mean, Sides::both, means.rounding}},
-                  draw};
+  return estimand(views.name, {"PathTracer", "DirectLight"},
+                  views.statement + (means.same_numbers ? ", path by path" : ""), "the light transport equation",
+                  {{0, -means.largest, means.largest, 0, means.mean, Sides::both, means.rounding}}, draw,
+                  means.margin_factor);
 }
 
 /// The parameters of a comparison of sets with sets of twice as many samples.
@@ -153,18 +148,17 @@ Claim twice_the_samples(const std::string& kind, const std::string& subject, con
                 const auto tracer =
                     chosen_tracer<Real>(Strategies(sampled.settings, sampled.view.scene), sampled.view.scene);
                 const Numbers twice(StreamKey(trial.seed, trial.claim + " twice"), 2 * sampled.n);
-                const auto grey = [&](const auto& numbers) {
+                const auto light = [&](const auto& numbers) {
                   auto camera = numbers.at(0);
                   const Vec2<Real> place = next_pair<Real>(camera);
                   const Path<Real> path{sampled.view.camera.template ray<Real>(place.x(), place.y(), 1, 1, camera)};
-                  const Rgb<Real> radiance = followed<Real>(tracer, scene, path, numbers);
-                  return Real((radiance[0] + radiance[1] + radiance[2]) / Real(3));
+                  return mean_channel(followed<Real>(tracer, scene, path, numbers));
                 };
                 const Reference reference{0, -sampled.largest, sampled.largest, 0, sampled.mean};
                 return check_sets<Real, Numbers>(trial, {reference}, sampled.n, [&](const auto& numbers) {
                   const PathNumbers<Real, Numbers> even{twice, numbers.pixel, numbers.sample + numbers.sample};
                   const PathNumbers<Real, Numbers> odd{twice, numbers.pixel, even.sample + Word<Real>(1u)};
-                  return Real(grey(numbers) - (grey(even) + grey(odd)) * Real(0.5));
+                  return Real(light(numbers) - (light(even) + light(odd)) * Real(0.5));
                 });
               },
           .real = real_name<Real>()};

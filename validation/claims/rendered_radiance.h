@@ -78,9 +78,7 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
       settings.roulette == "throughput" ? bounce * scene.index * scene.index * (1 + 1e-12) : 1;  // plus rounding
   const Rgb<double> upper =
       survivor * (brightest + vertices * (shadow_rays * scene.largest_term + bounces * brightest));
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) references.push_back({mean[c], 0, upper[c]});
-  return references;
+  return for_channels([&](int c) { return Reference{mean[c], 0, upper[c]}; });
 }
 
 /// Tests the renderer by its settings: the pixels of a closed scene have its radiance as their

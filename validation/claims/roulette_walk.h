@@ -21,13 +21,10 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
   const Rgb<double> albedo(0.125, 0.25, 0.05);
   const double q = albedo.maxCoeff();
   const int vertices = 16 + first;  // the tail is negligible for the finest margins
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) {
-    references.push_back(
-        {1 / (1 - albedo[c]), 0, most * vertices, most * std::pow(q, vertices + 1 - first) / (1 - q)});
-  }
+  const double slack = most * std::pow(q, vertices + 1 - first) / (1 - q);
+  const auto reference = [&](int c) { return Reference{1 / (1 - albedo[c]), 0, most * vertices, slack}; };
   const auto draw = [=]<class Real>(std::type_identity<Real>, auto& source) {
-    const Rgb<Real> reflectance(rounded<Real>(albedo[0]), rounded<Real>(albedo[1]), rounded<Real>(albedo[2]));
+    const Rgb<Real> reflectance = rounded_colour<Real>(albedo);
     const Lambertian<Real, Directions> surface(reflectance);
     const Vec3<Real> out(Real(0), Real(0), Real(1));
     Rgb<Real> sum = Rgb<Real>::Zero();
@@ -41,13 +38,8 @@ auto roulette_walk(const std::string& name, const std::string& subject, double m
     }
     return sum;
   };
-  return Estimand{name,
-                  {subject},
-                  "bounces without end carry 1 / (1 - albedo) together, per channel",
-                  "geometric series",
-                  1,
-                  references,
-                  draw};
+  return estimand(name, {subject}, "bounces without end carry 1 / (1 - albedo) together, per channel",
+                  "geometric series", for_channels(reference), draw);
 }
 
 /// The same without roulette at the first bounce.
@@ -81,10 +73,8 @@ auto walk_length(const std::string& name, const std::string& subject, const std:
     }
     return length;
   };
-  return Estimand{name,      {subject},
-                  statement, "geometric series; the paper, 3.2.1",
-                  2,         {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}},
-                  draw};
+  return estimand(name, {subject}, statement, "geometric series; the paper, 3.2.1",
+                  {{mean, 0, vertices, std::pow(q, vertices) / (1 - q)}}, draw, 2);
 }
 
 template <class Roulette>

@@ -29,7 +29,7 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
     const auto make = [scene = view.scene, settings]<class Real>(std::type_identity<Real>) {
       return ChosenTracer<Real>(settings, scene);
     };
-    return RadianceAlong(view.scene, Ray<double>{{0, 0, 0}, {0, 0, 1}, -1}, make);
+    return RadianceAlong(view.scene, make);
   };
   // The numbers of a vertex: two for each shadow ray to a luminaire, one for the choice of a
   // luminaire, one for roulette, two for a bounce.
@@ -41,16 +41,12 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
     const Ray<Real> ray = camera.template ray<Real>(place.x(), place.y(), 1, 1, source);
     auto ahead = source.take(numbers);
     const Rgb<Real> by_other = b.along(ray, real, ahead);
-    const Rgb<Real> difference = a.along(ray, real, source) - by_other;
-    return Real((difference[0] + difference[1] + difference[2]) / Real(3));
+    return mean_channel(Rgb<Real>(a.along(ray, real, source) - by_other));
   };
-  return Estimand{name,
-                  std::move(subjects),
+  return estimand(name, std::move(subjects),
                   "the mean of the picture of " + comparison.scene + " is the same by both strategies",
-                  "the same integral",
-                  comparison.margin_factor,
-                  {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}},
-                  draw};
+                  "the same integral", {{0, comparison.darkest, comparison.brightest, 0, comparison.mean}}, draw,
+                  comparison.margin_factor);
 }
 
 /// A square of a picture; (0,0) is the upper left corner, (1,1) the lower right one.
@@ -122,9 +118,8 @@ Claim sets_agree(const std::string& name, std::vector<std::string> subjects, con
                   const Vec2<Real> place = next_pair<Real>(camera);
                   const Path<Real> path{view.camera.template ray<Real>(place.x(), place.y(), 1, 1, camera)};
                   const PathNumbers<Real, IndependentNumbers> others{independent, numbers.pixel, numbers.sample};
-                  const Rgb<Real> difference =
-                      followed<Real>(tracer, scene, path, numbers) - followed<Real>(tracer, scene, path, others);
-                  return Real((difference[0] + difference[1] + difference[2]) / Real(3));
+                  return mean_channel(Rgb<Real>(followed<Real>(tracer, scene, path, numbers) -
+                                                followed<Real>(tracer, scene, path, others)));
                 });
               },
           .real = real_name<Real>()};

@@ -81,46 +81,28 @@ void add_one_light(std::vector<Claim>& claims) {
 // choice.
 void add_two_lights(std::vector<Claim>& claims) {
   const auto all_terms = [](const SpheresOverPlane& s, int c) { return s.sum_of_cone_terms(c); };
-  const auto one_term = [](const SpheresOverPlane& s, int c) {
-    double largest = 0;
-    for (const auto& light : s.lights) largest = std::max(largest, s.largest_cone_term(light, c));
-    return static_cast<double>(s.lights.size()) * largest;
+  // The largest term over its probability, where a light is picked in proportion to its weight.
+  const auto picked_by = [](const auto& weight) {
+    return [=](const SpheresOverPlane& s, int c) {
+      double total = 0, largest = 0;
+      for (const auto& light : s.lights) total += weight(light);
+      for (const auto& light : s.lights) largest = std::max(largest, s.largest_cone_term(light, c) / weight(light));
+      return largest * total;
+    };
   };
-  // The power of a light is proportional to r^2 times the sum of the channels of its radiance.
-  const auto power_term = [](const SpheresOverPlane& s, int c) {
-    const auto power = [](const auto& light) { return light.radius * light.radius * light.radiance.sum(); };
-    double total = 0;
-    for (const auto& light : s.lights) total += power(light);
-    double largest = 0;
-    for (const auto& light : s.lights) {
-      largest = std::max(largest, s.largest_cone_term(light, c) / power(light) * total);
-    }
-    return largest;
-  };
-  // The estimated contribution of a light is proportional to its power over the square of its
-  // distance.
-  const auto contribution_term = [=](const SpheresOverPlane& s, int c) {
-    double largest = 0;
-    for (const auto& light : s.lights) {
-      const auto share = [](const auto& l) {
-        return l.radius * l.radius * l.radiance.sum() / l.centre.squaredNorm();
-      };
-      double total = 0;
-      for (const auto& other : s.lights) total += share(other);
-      largest = std::max(largest, s.largest_cone_term(light, c) / share(light) * total);
-    }
-    return largest;
-  };
+  using Light = SpheresOverPlane::Light;
+  const auto power = [](const Light& light) { return light.radius * light.radius * light.radiance.sum(); };
+  const auto contribution = [=](const Light& light) { return power(light) / light.centre.squaredNorm(); };
   const auto add = [&](const auto& experiment) { add_independent_mean(claims, experiment); };
   add(floor_radiance<Tracer<AllByCone, NoRoulette>>("two_lights.all", {"DirectLight", "AllLights"}, two_lights(), 1,
                                                     all_terms));
   add(floor_radiance<Tracer<OneByCone, NoRoulette>>("two_lights.one", {"DirectLight", "UniformLightSampler"},
-                                                    two_lights(), 1, one_term));
+                                                    two_lights(), 1, picked_by([](const Light&) { return 1.0; })));
   add(floor_radiance("two_lights.power", {"DirectLight", "LightSampler", "PowerChoice"}, two_lights(), 1,
-                     power_term, by_power<NoRoulette>(two_lights().scene, 1)));
+                     picked_by(power), by_power<NoRoulette>(two_lights().scene, 1)));
   add(floor_radiance<Tracer<ContributionByCone, NoRoulette>>(
       "two_lights.contribution", {"DirectLight", "ContributionLightSampler", "ContributionChoice"}, two_lights(), 1,
-      contribution_term));
+      picked_by(contribution)));
   add(shared_lights());
 }
 

@@ -87,16 +87,12 @@ inline SpheresOverPlane two_lights() {
 template <class Make, class Bound>
 auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,
                     double margin_factor, const Bound& bound, const Make& make) {
-  std::vector<Reference> references;
-  for (int c = 0; c < 3; ++c) references.push_back({floor.reference(c), 0, bound(floor, c) * (1 + 1e-9)});
-  return Estimand{name,
-                  std::move(subjects),
+  const auto reference = [&](int c) { return Reference{floor.reference(c), 0, bound(floor, c) * (1 + 1e-9)}; };
+  return estimand(name, std::move(subjects),
                   "under " + std::to_string(floor.lights.size()) +
                       " sphere light(s) a diffuse floor shows rho sum Le (r/d)^2 cos(theta), per channel",
-                  "projected solid angle of a cone; Snyder 1996",
-                  margin_factor,
-                  references,
-                  RadianceAlong(floor.scene, floor.ray, make)};
+                  "projected solid angle of a cone; Snyder 1996", for_channels(reference),
+                  RadianceAlong(floor.scene, floor.ray, make), margin_factor);
 }
 template <class Tracer, class Bound>
 auto floor_radiance(const std::string& name, std::vector<std::string> subjects, const SpheresOverPlane& floor,

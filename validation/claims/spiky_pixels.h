@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fairlight/estimators/allocation_stages.h>
-#include <fairlight/stats/replicates.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/validation/checks/claim.h>
 #include <fairlight/validation/claims/image_numbers.h>
@@ -110,9 +109,9 @@ template <class Form, class Numbers>
 Finding check_pooled(const Trial& trial, double mean, Sides sides, const Form& form, const Numbers& numbers) {
   const Reference reference{mean, 0, 1 / equal_spikes_p * (1 + 1e-12), 0, mean, sides};
   const StreamKey key(trial.seed, trial.claim);
-  return test_replicates(trial, reference, [&](std::uint64_t r) {
-    return mean_of_image(form.estimate(numbers.draws(key, equal_spikes(), r)));
-  });
+  return test_means(trial, {reference}, one_channel([&](std::uint64_t r) {
+                      return mean_of_image(form.estimate(numbers.draws(key, equal_spikes(), r)));
+                    }));
 }
 
 inline Claim naive_claim(const std::string& name, std::vector<std::string> subjects, const std::string& statement,

@@ -12,52 +12,44 @@ namespace {
 template <class Direct, class Roulette>
 using Tracer = PathTracer<BouncesBy<CosineHemisphere>, Direct, Roulette>;
 using All = DirectLight<AllLights>;
-using Roulette = RouletteByReflectance<>;
 using Unpaid = RouletteByReflectance<faults::UnpaidRoulette>;
 
 double all_terms(const SpheresOverPlane& scene, int channel) { return scene.sum_of_terms(channel); }
 
-Fault theta_uniform() {
-  return {"sphere-theta-uniform",
-          "Montelight",
-          "Smerity/montelight-cpp",
-          {law_moments_claim<Packet>(sphere_area_law<faults::ThetaUniformSphere>()),
-           mean_claim(floor_radiance<Tracer<DirectLight<AllLights, PointsBy<faults::SphereByTheta>>, NoRoulette>>(
-               "sphere_over_plane.light", {}, one_light(), 1, all_terms))}};
-}
-
-Fault unpaid_roulette() {
-  return {"roulette-unpaid",
-          "roulette unpaid",
-          "openmc #3511; chunky #1018; Montelight",
-          {mean_claim(roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3)),
-           mean_claim(furnace_radiance<Tracer<NoDirectLight, Unpaid>>("furnace.bounce", {})),
-           mean_claim(roulette_on_against_off<Tracer<All, Unpaid>, Tracer<All, NoRoulette>>("cornell.roulette"))}};
-}
-
-Fault unweighted_light() {
+std::vector<Fault> first_faults() {
+  using Theta = PointsBy<faults::SphereByTheta>;
   using Wrong = Tracer<DirectLight<faults::OneUnweighted, PointsBy<SphereByCone>>, NoRoulette>;
   using Right = Tracer<DirectLight<AllLights, PointsBy<SphereByCone>>, NoRoulette>;
-  return {"one-light-unweighted",
-          "luminaire probability",
-          "LuxCore #68",
-          {mean_claim(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
-           mean_claim<Packet>(one_against_all<Wrong, Right>("two_lights.one_against_all"))}};
-}
-
-Fault steep_cosine() {
-  return {"cosine-exponent-2-percent",
-          "cosine sampler",
-          "raytracing.github.io #145",
-          {mean_claim<Packet>(hemisphere_integral<faults::SteepCosineHemisphere>("importance.cosine.cosine_squared",
-                                                                                 "", 2, std::numbers::pi))}};
+  const auto steep_cosine = hemisphere_integral<faults::SteepCosineHemisphere>("importance.cosine.cosine_squared",
+                                                                               "", 2, std::numbers::pi);
+  return {{"sphere-theta-uniform",
+           "Montelight",
+           "Smerity/montelight-cpp",
+           {law_moments_claim<Packet>(sphere_area_law<faults::ThetaUniformSphere>()),
+            mean_claim(floor_radiance<Tracer<DirectLight<AllLights, Theta>, NoRoulette>>(
+                "sphere_over_plane.light", {}, one_light(), 1, all_terms))}},
+          {"roulette-unpaid",
+           "roulette unpaid",
+           "openmc #3511; chunky #1018; Montelight",
+           {mean_claim(roulette_integral<faults::UnpaidRoulette>("roulette.integral", 0.3)),
+            mean_claim(furnace_radiance<Tracer<NoDirectLight, Unpaid>>("furnace.bounce", {})),
+            mean_claim(roulette_on_against_off<Tracer<All, Unpaid>, Tracer<All, NoRoulette>>("cornell.roulette"))}},
+          {"one-light-unweighted",
+           "luminaire probability",
+           "LuxCore #68",
+           {mean_claim(two_dice<faults::OneUnweighted>("pick.one.dice", {})),
+            mean_claim<Packet>(one_against_all<Wrong, Right>("two_lights.one_against_all"))}},
+          {"cosine-exponent-2-percent",
+           "cosine sampler",
+           "raytracing.github.io #145",
+           {mean_claim<Packet>(steep_cosine)}}};
 }
 
 }  // namespace
 
 const std::vector<Fault>& fault_catalogue() {
   static const std::vector<Fault> faults = [] {
-    std::vector<Fault> all{theta_uniform(), unpaid_roulette(), unweighted_light(), steep_cosine()};
+    std::vector<Fault> all = first_faults();
     for (const auto more : {direction_faults, microfacet_faults, material_faults, light_faults, combinator_faults,
                             random_faults, camera_faults, allocation_faults, path_tracer_faults,
                             direct_light_faults, relation_faults, second_order_faults}) {

@@ -5,53 +5,39 @@
 namespace fairlight {
 namespace {
 
-template <class Draw>
-void add(Fault& fault, const Estimand<Draw>& experiment) {
-  fault.claims.push_back(mean_claim(experiment));
-  fault.claims.push_back(mean_claim<Packet>(experiment));
+// The row of a law, and those of an estimand.
+std::vector<Claim> law_and_mean(const auto& law, const auto& estimand) {
+  std::vector<Claim> claims{law_claim(law)};
+  add_independent_mean(claims, estimand);
+  return claims;
 }
 
-Fault no_jacobian() {
-  Fault fault{"ggx-no-half-vector-jacobian", "measure", "AdaPT #22", {}};
-  add(fault, conductor_density<Ggx, faults::NoHalfVectorJacobian>("rough_conductor.density", {0.3, 0.3, 0.6}));
-  return fault;
-}
-
-Fault unmasked() {
-  const auto law = visible_normals_law<faults::UnmaskedNormals>("ggx.isotropic", {0.3, 0.3, 0.8});
-  Fault fault{"ggx-density-without-masking", "sample against pdf", "three-gpu-pathtracer #847", {law_claim(law)}};
-  add(fault, conductor_density<Ggx, faults::UnmaskedNormals>("rough_conductor.density", {0.3, 0.3, 0.6}));
-  return fault;
-}
-
-Fault unweighted() {
-  const auto law = visible_normals_law<faults::UnweightedNormals>("ggx.anisotropic", {0.6, 0.25, 0.7});
-  Fault fault{"ggx-normals-not-visible", "sample against pdf", "pbrt-v4 #215", {law_claim(law)}};
-  add(fault, conductor_weight<Ggx, faults::UnweightedNormals>("rough_conductor.albedo.grazing", {0.3, 0.3, 0.05}));
-  return fault;
-}
-
-Fault independent_shadowing() {
-  Fault fault{"ggx-shadowing-independent", "weight", "mitsuba3 bcc10a142", {}};
-  const GgxView smooth{1e-4, 1e-4, 2e-4}, rough{0.6, 0.6, 0.7};
-  fault.claims = {
-      mean_claim<Packet>(
-          conductor_weight<faults::IndependentShadowing>("rough_conductor.albedo.smooth_grazing", smooth)),
-      mean_claim<Packet>(conductor_weight<faults::IndependentShadowing>("rough_conductor.albedo.rough", rough))};
-  return fault;
-}
-
-Fault plain_mean_loss() {
-  Fault fault{"energy-mean-without-cosine", "energy", "pbrt-v4 BSDF energy test", {}};
-  add(fault, metal_furnace<faults::PlainMeanLoss>("energy_compensation.furnace.rough", 0.5, 0.7, 1.6));
-  add(fault, grey_metal<faults::PlainMeanLoss>("energy_compensation.grey"));
-  return fault;
+template <template <class> class Normals>
+auto density() {
+  return conductor_density<Ggx, Normals>("rough_conductor.density", {0.3, 0.3, 0.6});
 }
 
 }  // namespace
 
 std::vector<Fault> microfacet_faults() {
-  return {no_jacobian(), unmasked(), unweighted(), independent_shadowing(), plain_mean_loss()};
+  using faults::IndependentShadowing, faults::PlainMeanLoss;
+  const GgxView grazing{0.3, 0.3, 0.05}, smooth{1e-4, 1e-4, 2e-4}, rough{0.6, 0.6, 0.7};
+  return {
+      {"ggx-no-half-vector-jacobian", "measure", "AdaPT #22", both(density<faults::NoHalfVectorJacobian>())},
+      {"ggx-density-without-masking", "sample against pdf", "three-gpu-pathtracer #847",
+       law_and_mean(visible_normals_law<faults::UnmaskedNormals>("ggx.isotropic", {0.3, 0.3, 0.8}),
+                    density<faults::UnmaskedNormals>())},
+      {"ggx-normals-not-visible", "sample against pdf", "pbrt-v4 #215",
+       law_and_mean(visible_normals_law<faults::UnweightedNormals>("ggx.anisotropic", {0.6, 0.25, 0.7}),
+                    conductor_weight<Ggx, faults::UnweightedNormals>("rough_conductor.albedo.grazing", grazing))},
+      {"ggx-shadowing-independent",
+       "weight",
+       "mitsuba3 bcc10a142",
+       {mean_claim<Packet>(conductor_weight<IndependentShadowing>("rough_conductor.albedo.smooth_grazing", smooth)),
+        mean_claim<Packet>(conductor_weight<IndependentShadowing>("rough_conductor.albedo.rough", rough))}},
+      {"energy-mean-without-cosine", "energy", "pbrt-v4 BSDF energy test",
+       both(metal_furnace<PlainMeanLoss>("energy_compensation.furnace.rough", 0.5, 0.7, 1.6),
+            grey_metal<PlainMeanLoss>("energy_compensation.grey"))}};
 }
 
 }  // namespace fairlight

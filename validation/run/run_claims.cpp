@@ -64,8 +64,8 @@ class Run {
   bool time_is_up() const { return clock_.seconds() > options_.seconds; }
 
   void take_turns(const std::vector<std::size_t>& order, double most) {
-    for_each_unit(static_cast<int>(order.size()), options_.threads, [&](int unit) {
-      if (!time_is_up()) take_turn(order[static_cast<std::size_t>(unit)], most);
+    for_each_unit(order.size(), options_.threads, [&](std::size_t unit) {
+      if (!time_is_up()) take_turn(order[unit], most);
     });
   }
 
