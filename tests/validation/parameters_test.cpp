@@ -18,7 +18,7 @@ auto shifted(const std::vector<double>& values) {
   const auto draw = [value]<class Real>(std::type_identity<Real>, auto& source) {
     return Real(rounded<Real>(value - 0.5) + source.next());
   };
-  return Estimand{"shifted", {"Shifted"}, "a mean", "elementary", 1, {{value, value - 0.5, value + 0.5}}, draw};
+  return estimand("shifted", {"Shifted"}, "a mean", "elementary", {{value, value - 0.5, value + 0.5}}, draw);
 }
 
 const std::vector<ParameterRange> reflectance{{"SchlickReflectance", "reflectance", 0.5, 1}};

@@ -31,37 +31,43 @@ auto component(Number... parameters) {
   return [=]<class Real>(std::type_identity<Real>) { return Component<Real>(rounded<Real>(parameters)...); };
 }
 
-/// An estimator with a known mean, written once and tested in every arithmetic and from every
-/// source of numbers.
-template <class Draw>
-struct Estimand {
+/// The statement that an estimator has a known mean, without its draws.
+struct MeanStatement {
   std::string name;
   std::vector<std::string> subjects;
   std::string statement;
   std::string source;
   double margin_factor;
   std::vector<Reference> references;  ///< one for each channel, exact
-  Draw draw;                          ///< draw(std::type_identity<Real>, source) gives a Real or an Rgb<Real>
+};
+
+/// An estimator with a known mean, written once and tested in every arithmetic and from every
+/// source of numbers.
+template <class Draw>
+struct Estimand : MeanStatement {
+  Draw draw;  ///< draw(std::type_identity<Real>, source) gives a Real or an Rgb<Real>
 };
 
 template <class Draw>
-auto estimand(std::string name, std::vector<std::string> subjects, std::string statement, std::string source,
-              std::vector<Reference> references, Draw draw, double margin_factor = 1) {
-  return Estimand<Draw>{std::move(name), std::move(subjects),   std::move(statement), std::move(source),
-                        margin_factor,   std::move(references), std::move(draw)};
+[[gnu::cold]] auto estimand(std::string name, std::vector<std::string> subjects, std::string statement,
+                            std::string source, std::vector<Reference> references, Draw draw,
+                            double margin_factor = 1) {
+  return Estimand<Draw>{{std::move(name), std::move(subjects), std::move(statement), std::move(source),
+                         margin_factor, std::move(references)},
+                        std::move(draw)};
 }
 
 /// The references of the channels of a colour: reference(0), reference(1), reference(2).
 std::vector<Reference> for_channels(const auto& reference) { return {reference(0), reference(1), reference(2)}; }
 
-/// The floor of a claim's margin, however fine the run's margin is; 0 means no floor. It applies
-/// where the references themselves carry rounding, such as the positions in a scene far from the
-/// origin. Where only the rounding of floats is too coarse for a margin, there is no floor, and the
-/// test refuses the margin.
-template <class Real>
-double finest_margin_of(const std::vector<Reference>& references) {
-  return finest_margin(references) > 0 ? finest_margin(rounded_references<Real>(references)) : 0;
-}
+/// The suffix of a claim's name and its field `real`, for the arithmetic of its draws.
+std::string suffix_of(const Draws& draws);
+std::string real_of(const Draws& draws);
+
+/// The rows of means, from draws whose type does not depend on the estimator.
+Claim mean_row_alone(const MeanStatement& e, Draws draws);
+Claim mean_row_in_double(const MeanStatement& e, PairedDraws draws);
+Claim mean_row_in_packets(const MeanStatement& e, Draws draws);
 
 /// The draws of an estimand in one arithmetic.
 template <class Real, class Draw>
@@ -69,28 +75,12 @@ Draws draws_of(const Estimand<Draw>& e) {
   return draws_of<Real>(body_of<Real>(e.draw), e.references.size());
 }
 
-/// The row of the registry for the mean of an estimand.
-template <class Real, class Draw>
-Claim mean_row(const Estimand<Draw>& e, std::function<Finding(const Trial&)> check) {
-  return {.name = e.name + real_suffix<Real>(),
-          .kind = "mean",
-          .subjects = e.subjects,
-          .statement = e.statement,
-          .source = e.source,
-          .margin_factor = e.margin_factor,
-          .check = std::move(check),
-          .real = real_name<Real>(),
-          .finest_margin = finest_margin_of<Real>(e.references)};
-}
-
 /// Tests the mean from independent numbers in one arithmetic alone, without a packet control
 /// variate or point sets. It is for estimands whose packets round more than usual, and for tests of
 /// the random numbers themselves, which no other numbers can replace.
 template <class Real, class Draw>
 Claim mean_claim_alone(const Estimand<Draw>& e) {
-  return mean_row<Real>(e, [references = e.references, draws = draws_of<Real>(e)](const Trial& trial) {
-    return check_mean(trial, references, draws);
-  });
+  return mean_row_alone(e, draws_of<Real>(e));
 }
 
 /// Tests the mean from independent numbers. In double it uses a packet control variate where that
@@ -98,53 +88,43 @@ Claim mean_claim_alone(const Estimand<Draw>& e) {
 template <class Real = double, class Draw>
 Claim mean_claim(const Estimand<Draw>& e) {
   if constexpr (lanes<Real> == 1) {
-    const PairedDraws draws =
-        paired_draws<Packet>(body_of<double>(e.draw), body_of<Packet>(e.draw), e.references.size());
-    return mean_row<Real>(e, [references = e.references, draws](const Trial& trial) {
-      return check_mean_in_double(trial, references, draws);
-    });
+    return mean_row_in_double(
+        e, paired_draws<Packet>(body_of<double>(e.draw), body_of<Packet>(e.draw), e.references.size()));
   } else {
-    return mean_row<Real>(e, [references = e.references, draws = draws_of<Real>(e)](const Trial& trial) {
-      return check_mean_in_packets(trial, references, draws);
-    });
+    return mean_row_in_packets(e, draws_of<Real>(e));
   }
 }
 
-/// An estimator without variance: every draw equals `value` to this many units in the last place.
-template <class Draw>
-struct ConstantEstimand {
+/// The statement that every draw equals `value` to this many units in the last place.
+struct ConstantStatement {
   std::string name;
   std::vector<std::string> subjects;
   std::string statement;  ///< without the tolerance
   std::string source;
   double value;
   int ulps;
+};
+
+/// An estimator without variance.
+template <class Draw>
+struct ConstantEstimand : ConstantStatement {
   Draw draw;  ///< as that of an Estimand
 };
 
 template <class Draw>
-auto constant(std::string name, std::vector<std::string> subjects, std::string statement, std::string source,
-              double value, int ulps, Draw draw) {
+[[gnu::cold]] auto constant(std::string name, std::vector<std::string> subjects, std::string statement,
+                            std::string source, double value, int ulps, Draw draw) {
   return ConstantEstimand<Draw>{
-      std::move(name), std::move(subjects), std::move(statement), std::move(source), value, ulps, std::move(draw)};
+      {std::move(name), std::move(subjects), std::move(statement), std::move(source), value, ulps},
+      std::move(draw)};
 }
+
+Claim constant_row(const ConstantStatement& e, Draws draws);
 
 /// The row that tests this in one arithmetic.
 template <class Real, class Draw>
 Claim constant_claim(const ConstantEstimand<Draw>& e) {
-  return {.name = e.name + real_suffix<Real>(),
-          .kind = "constant",
-          .subjects = e.subjects,
-          .statement = e.statement + formatted(", to %d ulp", e.ulps),
-          .source = e.source,
-          .margin_factor = 1,
-          .check =
-              [e](const Trial& trial) {
-                return check_constant<Real>(trial, e.value, e.ulps, [&](auto& source) {
-                  return e.draw(std::type_identity<Real>{}, source);
-                });
-              },
-          .real = real_name<Real>()};
+  return constant_row(e, draws_of<Real>(body_of<Real>(e.draw), 1));
 }
 
 /// Adds this row in double and in packets.
@@ -171,24 +151,24 @@ void for_each_point_set(const auto& f) {
   f(latin_points());
 }
 
+/// The row for a mean over the points of a set, with this suffix and these further subjects.
+Claim replicates_row(const MeanStatement& e, const std::string& suffix, const std::vector<std::string>& subjects,
+                     double margin_factor, std::function<Finding(const Trial&)> check);
+
 /// The row for the mean of an estimand over the points of a set, in packets, by replicates. Its
 /// margin is `margin_factor` times that from independent numbers, as the errors of a point set are
 /// large.
+template <template <class> class Set>
+Claim replicates_row(const MeanStatement& e, const std::shared_ptr<const Body<Packet>>& body,
+                     const PointSetKind<Set>& points, double margin_factor) {
+  return replicates_row(e, points.suffix, {points.subject, points.source}, margin_factor,
+                        [references = e.references, body](const Trial& trial) {
+                          return check_replicates<Set<Packet>>(trial, references, body, points_for(references));
+                        });
+}
 template <template <class> class Set, class Draw>
 Claim replicates_claim(const Estimand<Draw>& e, const PointSetKind<Set>& points, double margin_factor = 2) {
-  std::vector<std::string> subjects = e.subjects;
-  subjects.insert(subjects.end(), {points.subject, points.source});
-  return {.name = e.name + "." + points.suffix,
-          .kind = "mean",
-          .subjects = subjects,
-          .statement = e.statement + ", over the points of a replicate",
-          .source = e.source,
-          .margin_factor = margin_factor * e.margin_factor,
-          .check =
-              [references = e.references, body = body_of<Packet>(e.draw)](const Trial& trial) {
-                return check_replicates<Set<Packet>>(trial, references, body, points_for(references));
-              },
-          .real = real_name<Packet>()};
+  return replicates_row(e, body_of<Packet>(e.draw), points, margin_factor);
 }
 
 /// Adds the rows from independent numbers, in double and in packets.
