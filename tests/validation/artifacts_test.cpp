@@ -40,7 +40,7 @@ TEST(Artifacts, OfAMeanAreTheCourseOfItsTest) {
   EXPECT_FALSE(pictures.empty());
   EXPECT_LE(pictures.size(), 3u);
   const std::string csv = read_file(folder / "pick.one.dice/wealth.csv");
-  EXPECT_TRUE(csv.starts_with("channel,draws,mean,log_too_bright,"));
+  EXPECT_TRUE(csv.starts_with("channel,draws,mean,log_above_reference,"));
   EXPECT_NE(csv.find("0," + std::to_string(outcome.evidence.means[0].steps().back().draws) + ","),
             std::string::npos);
 }

@@ -51,11 +51,13 @@ void write_tiles(const std::string& path, const Evidence::Tiles& tiles) {
 }
 
 std::string courses_csv(const std::vector<Evidence::Course>& courses) {
-  std::string csv = "channel,draws,mean,log_too_bright,log_too_dark,log_not_brighter,log_not_darker\n";
+  std::string csv =
+      "channel,draws,mean,log_above_reference,log_below_reference,log_below_upper_margin,log_above_lower_margin\n";
   for (std::size_t c = 0; c < courses.size(); ++c) {
     for (const auto& [draws, mean, wealth] : courses[c].steps()) {
       csv += formatted("%zu,%llu,%.17g,%.6g,%.6g,%.6g,%.6g\n", c, static_cast<unsigned long long>(draws), mean,
-                       wealth.above_reference, wealth.below_reference, wealth.not_brighter, wealth.not_darker);
+                       wealth.above_reference, wealth.below_reference, wealth.below_upper_margin,
+                       wealth.above_lower_margin);
     }
   }
   return csv;

@@ -105,10 +105,12 @@ struct Process {
 // The processes that a claim uses: all four, or two for a one-sided claim.
 std::vector<Process> processes_of(Sides sides) {
   std::vector<Process> processes;
-  if (sides != Sides::not_below) processes.push_back({"too bright", &Wealth::above_reference, red});
-  if (sides != Sides::not_above) processes.push_back({"too dark", &Wealth::below_reference, blue});
-  if (sides != Sides::not_below) processes.push_back({"not brighter", &Wealth::not_brighter, orange});
-  if (sides != Sides::not_above) processes.push_back({"not darker", &Wealth::not_darker, green});
+  if (sides != Sides::not_below) processes.push_back({"above reference", &Wealth::above_reference, red});
+  if (sides != Sides::not_above) processes.push_back({"below reference", &Wealth::below_reference, blue});
+  if (sides != Sides::not_below)
+    processes.push_back({"below reference + margin", &Wealth::below_upper_margin, orange});
+  if (sides != Sides::not_above)
+    processes.push_back({"above reference - margin", &Wealth::above_lower_margin, green});
   return processes;
 }
 
