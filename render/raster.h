@@ -7,8 +7,9 @@
 
 namespace fairlight {
 
-/// Writers for charts and maps, with rows from the top. They write a file whole or not at all. They
-/// throw std::runtime_error, and std::invalid_argument unless there is a value for each pixel.
+/// Writers for maps and contact sheets, with rows from the top. They write a file whole or not at
+/// all. They throw std::runtime_error, and std::invalid_argument unless there is a value for each
+/// pixel.
 
 /// Writes an 8-bit sRGB PNG from three bytes per pixel.
 void write_png(const std::string& path, int width, int height, std::span<const std::uint8_t> rgb);

@@ -178,8 +178,8 @@ void BettingTest::add(std::span<const double> draws) {
     below_reference_[i].multiply(1 + refuting.down);
   }
   const Gains certifying = certify(block, block.bet, hypothesis_.margin);
-  not_darker_.multiply(1 + certifying.up);
-  not_brighter_.multiply(1 + certifying.down);
+  above_lower_.multiply(1 + certifying.up);
+  below_upper_.multiply(1 + certifying.down);
   decide();
 }
 
@@ -188,7 +188,7 @@ double BettingTest::refuting() const { return std::log(refuting_); }
 double BettingTest::certifying() const { return std::log(1 / beta_); }
 
 Wealth BettingTest::wealth() const {
-  return {log_mixture(above_reference_), log_mixture(below_reference_), not_brighter_.log(), not_darker_.log()};
+  return {log_mixture(above_reference_), log_mixture(below_reference_), below_upper_.log(), above_lower_.log()};
 }
 
 // Uses each block's outlook, from before it was drawn.
@@ -198,17 +198,17 @@ Wealth BettingTest::wealth_for(double margin) const {
     throw std::invalid_argument(
         "the mean, with a margin that is asked for later, must lie inside the declared range");
   }
-  LogProduct above_reference, below_reference, not_brighter, not_darker;
+  LogProduct above_reference, below_reference, below_upper_margin, above_lower_margin;
   for (const Block& block : blocks_) {
     const double bet = bet_on(margin, block.outlook.variance, block.outlook.skew);
     const Gains refuting = refute(block, bet);
     const Gains certifying = certify(block, bet, margin);
     above_reference.multiply(1 + refuting.up);
     below_reference.multiply(1 + refuting.down);
-    not_brighter.multiply(1 + certifying.down);
-    not_darker.multiply(1 + certifying.up);
+    below_upper_margin.multiply(1 + certifying.down);
+    above_lower_margin.multiply(1 + certifying.up);
   }
-  return {above_reference.log(), below_reference.log(), not_brighter.log(), not_darker.log()};
+  return {above_reference.log(), below_reference.log(), below_upper_margin.log(), above_lower_margin.log()};
 }
 
 void BettingTest::decide() {
@@ -221,7 +221,7 @@ void BettingTest::decide() {
   };
   if ((above && refutes(above_reference_)) || (below && refutes(below_reference_))) {
     verdict_ = Verdict::biased;
-  } else if ((!above || not_brighter_.reaches(1 / beta_)) && (!below || not_darker_.reaches(1 / beta_))) {
+  } else if ((!above || below_upper_.reaches(1 / beta_)) && (!below || above_lower_.reaches(1 / beta_))) {
     verdict_ = Verdict::certified;
   }
 }

@@ -53,10 +53,10 @@ struct NoMoreDraws : std::length_error {
 
 /// The logarithms of the four wealth processes, each of which starts with wealth 1.
 struct Wealth {
-  double above_reference;  ///< U0, bets that the mean is above the reference
-  double below_reference;  ///< D0, bets that the mean is below the reference
-  double not_brighter;     ///< D1, bets that the mean is below reference + margin
-  double not_darker;       ///< U1, bets that the mean is above reference - margin
+  double above_reference;     ///< U0, bets that the mean is above the reference
+  double below_reference;     ///< D0, bets that the mean is below the reference
+  double below_upper_margin;  ///< D1, bets that the mean is below reference + margin
+  double above_lower_margin;  ///< U1, bets that the mean is above reference - margin
 };
 
 /// A sequential test of a mean by betting. It can certify the mean as well as reject it.
@@ -157,8 +157,8 @@ class BettingTest {
   std::vector<Block> blocks_;
   std::array<LogProduct, 3> above_reference_{};  // U0, one per part of the mixture
   std::array<LogProduct, 3> below_reference_{};  // D0
-  LogProduct not_darker_;                        // U1
-  LogProduct not_brighter_;                      // D1
+  LogProduct above_lower_;                       // U1
+  LogProduct below_upper_;                       // D1
 };
 
 }  // namespace fairlight

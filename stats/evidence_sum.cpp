@@ -13,7 +13,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int levels_a_run = 12;  // finest margin = coarsest / 45
 
 bool certifies(const EvidenceSum::Sum& sum, double threshold) {
-  return sum.not_brighter >= threshold && sum.not_darker >= threshold;
+  return sum.below_upper_margin >= threshold && sum.above_lower_margin >= threshold;
 }
 
 }  // namespace
@@ -34,8 +34,10 @@ std::vector<Wealth> wealth_at_levels(const BettingTest& test, double margin, dou
   std::vector<Wealth> margin_grid;
   for (int level : levels_of_run(margin)) {
     Wealth wealth = test.wealth_for(margin_of_level(level) * scale);
-    if (test.sides() == Sides::not_above) wealth = {wealth.above_reference, 0, wealth.not_brighter, unlimited};
-    if (test.sides() == Sides::not_below) wealth = {0, wealth.below_reference, unlimited, wealth.not_darker};
+    if (test.sides() == Sides::not_above)
+      wealth = {wealth.above_reference, 0, wealth.below_upper_margin, unlimited};
+    if (test.sides() == Sides::not_below)
+      wealth = {0, wealth.below_reference, unlimited, wealth.above_lower_margin};
     margin_grid.push_back(wealth);
   }
   return margin_grid;
@@ -49,7 +51,8 @@ MarginGrid refuted_grid(double margin, std::size_t channels) {
 EvidenceSum::EvidenceSum(const MarginGrid& run) : first_(run.first) {
   for (const auto& channel : run.channels) {
     auto& sums = channels_.emplace_back();
-    for (const Wealth& w : channel) sums.push_back({w, std::max(0.0, w.not_brighter), std::max(0.0, w.not_darker)});
+    for (const Wealth& w : channel)
+      sums.push_back({w, std::max(0.0, w.below_upper_margin), std::max(0.0, w.above_lower_margin)});
   }
 }
 
@@ -80,12 +83,14 @@ void EvidenceSum::append(EvidenceSum later) {
     for (std::size_t r = 0; r < channels_[c].size(); ++r) {
       Sum& sum = channels_[c][r];
       const Sum& more = later.channels_[c][r];
-      sum.not_brighter = std::max(sum.not_brighter, sum.total.not_brighter + more.not_brighter);
-      sum.not_darker = std::max(sum.not_darker, sum.total.not_darker + more.not_darker);
+      sum.below_upper_margin =
+          std::max(sum.below_upper_margin, sum.total.below_upper_margin + more.below_upper_margin);
+      sum.above_lower_margin =
+          std::max(sum.above_lower_margin, sum.total.above_lower_margin + more.above_lower_margin);
       sum.total.above_reference += more.total.above_reference;
       sum.total.below_reference += more.total.below_reference;
-      sum.total.not_brighter += more.total.not_brighter;
-      sum.total.not_darker += more.total.not_darker;
+      sum.total.below_upper_margin += more.total.below_upper_margin;
+      sum.total.above_lower_margin += more.total.above_lower_margin;
     }
   }
 }

@@ -45,8 +45,8 @@ class EvidenceSum {
   /// of the two sums that certify.
   struct Sum {
     Wealth total{};
-    double not_brighter = 0;
-    double not_darker = 0;
+    double below_upper_margin = 0;
+    double above_lower_margin = 0;
   };
 
   EvidenceSum() = default;

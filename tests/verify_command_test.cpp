@@ -129,5 +129,20 @@ TEST(Verify, KeepsWhatItSawAndWritesAPageWithItsPictures) {
       << "it did not fail, and was not named in full";
 }
 
+TEST(Verify, NeedsGnuplotForPicturesAndForNothingElse) {
+  const TemporaryFolder folder;
+  const std::string bare = "PATH=/none " FAIRLIGHT_PROGRAM " verify pick.one.dice --margin 0.05 ";
+  for (const char* option : {"--artifacts kept", "--report page.md"}) {
+    const Result run = shell(bare + option, folder);
+    EXPECT_EQ(run.status, 2) << option;
+    EXPECT_EQ(run.out, "") << "it is refused before a claim runs";
+    EXPECT_EQ(run.error,
+              "fairlight: charts need gnuplot with pngcairo, which is not on the PATH (install the Debian "
+              "package gnuplot-nox)\n");
+    EXPECT_EQ(folder.files(), 0) << option;
+  }
+  EXPECT_EQ(shell(bare + "--json a.json", folder).status, 0);
+}
+
 }  // namespace
 }  // namespace fairlight

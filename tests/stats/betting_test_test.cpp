@@ -54,7 +54,7 @@ TEST(BettingTest, CertifiesDrawsThatAverageToTheMean) {
   EXPECT_GT(interval.hi, 0.5);
 }
 
-TEST(BettingTest, FindsDrawsThatAreTooBrightAndTooDark) {
+TEST(BettingTest, FindsDrawsAboveAndBelowTheReference) {
   BettingTest bright(coin(0.01), alpha, beta);
   EXPECT_EQ(feed(bright, 6, 10, 100000), Verdict::biased);
   EXPECT_GT(bright.interval().lo, 0.5);
@@ -94,7 +94,7 @@ TEST(BettingTest, NeedsEachAcceptProcessToReachOneOverBeta) {
     test.add(mean);
     ++blocks;
     ASSERT_LT(blocks, 1000);
-    EXPECT_NEAR(test.wealth().not_brighter, log_wealth, 1e-12 * blocks);
+    EXPECT_NEAR(test.wealth().below_upper_margin, log_wealth, 1e-12 * blocks);
     EXPECT_EQ(test.verdict() == Verdict::certified, log_wealth >= std::log(1 / beta));
   }
 }
@@ -124,8 +124,9 @@ TEST(BettingTest, AcceptsDrawsAboveASoftBound) {
   EXPECT_EQ(test.moments().maximum(), 5);
   BettingTest capped({0.5, 0.01, 0, 1, 1e-4}, alpha, beta);
   capped.add(std::vector<double>{0, 1});
-  EXPECT_EQ(test.wealth().not_brighter, capped.wealth().not_brighter) << "what is above it counts as the bound";
-  EXPECT_GT(test.wealth().not_darker, capped.wealth().not_darker) << "or for itself";
+  EXPECT_EQ(test.wealth().below_upper_margin, capped.wealth().below_upper_margin)
+      << "what is above it counts as the bound";
+  EXPECT_GT(test.wealth().above_lower_margin, capped.wealth().above_lower_margin) << "or for itself";
 }
 
 TEST(BettingTest, RefusesAHypothesisThatCannotBeTested) {
@@ -177,8 +178,8 @@ RC_GTEST_PROP(BettingTest, BetsByThePastAlone, ()) {
   };
   RC_ASSERT(is_fair(&Wealth::above_reference, mean));
   RC_ASSERT(is_fair(&Wealth::below_reference, mean));
-  RC_ASSERT(is_fair(&Wealth::not_brighter, mean + margin));
-  RC_ASSERT(is_fair(&Wealth::not_darker, mean - margin));
+  RC_ASSERT(is_fair(&Wealth::below_upper_margin, mean + margin));
+  RC_ASSERT(is_fair(&Wealth::above_lower_margin, mean - margin));
 }
 
 // An eighth of the draws before it, up to 0.9 variance / (margin range) with the range from the

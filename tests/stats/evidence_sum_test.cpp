@@ -118,8 +118,8 @@ TEST(EvidenceSum, DoesNotMindHowItsRunsAreGrouped) {
   ASSERT_EQ(left.channels()[0].size(), right.channels()[0].size());
   for (std::size_t r = 0; r < left.channels()[0].size(); ++r) {
     EXPECT_EQ(left.channels()[0][r].total.above_reference, right.channels()[0][r].total.above_reference) << r;
-    EXPECT_EQ(left.channels()[0][r].not_brighter, right.channels()[0][r].not_brighter) << r;
-    EXPECT_EQ(left.channels()[0][r].not_darker, right.channels()[0][r].not_darker) << r;
+    EXPECT_EQ(left.channels()[0][r].below_upper_margin, right.channels()[0][r].below_upper_margin) << r;
+    EXPECT_EQ(left.channels()[0][r].above_lower_margin, right.channels()[0][r].above_lower_margin) << r;
   }
 }
 
@@ -141,10 +141,10 @@ TEST(WealthFor, IsWhatOtherBetsOnTheSameBlocksMake) {
     const auto product = [&](double gain) { return 2 * std::log(1 + first * gain) + std::log(1 + third * gain); };
     EXPECT_NEAR(wealth.above_reference, product(x), 1e-12);
     EXPECT_NEAR(wealth.below_reference, product(-x), 1e-12);
-    EXPECT_NEAR(wealth.not_darker, product(x + margin), 1e-12);
-    EXPECT_NEAR(wealth.not_brighter, product(margin - x), 1e-12);
+    EXPECT_NEAR(wealth.above_lower_margin, product(x + margin), 1e-12);
+    EXPECT_NEAR(wealth.below_upper_margin, product(margin - x), 1e-12);
   }
-  EXPECT_NEAR(test.wealth_for(0.1).not_darker, test.wealth().not_darker, 1e-12);
+  EXPECT_NEAR(test.wealth_for(0.1).above_lower_margin, test.wealth().above_lower_margin, 1e-12);
   for (double margin : {0.0, -0.1, 0.5, std::nan("")}) EXPECT_THROW(test.wealth_for(margin), std::invalid_argument);
 }
 
@@ -156,8 +156,8 @@ TEST(WealthFor, CapsDrawsAndHeedsSlackAndRounding) {
   const double bet = 0.9 * 0.1 / (0.25 + 0.01);
   EXPECT_NEAR(wealth.above_reference, std::log(1 + bet * (1 - 0.01)), 1e-12);
   EXPECT_NEAR(wealth.below_reference, std::log(1 + bet * (-0.505 - 0.01)), 1e-12);
-  EXPECT_NEAR(wealth.not_darker, std::log(1 + bet * 1.1), 1e-12);
-  EXPECT_NEAR(wealth.not_brighter, std::log(1 + bet * (-0.505 + 0.1)), 1e-12);
+  EXPECT_NEAR(wealth.above_lower_margin, std::log(1 + bet * 1.1), 1e-12);
+  EXPECT_NEAR(wealth.below_upper_margin, std::log(1 + bet * (-0.505 + 0.1)), 1e-12);
 }
 
 TEST(WealthAtRungs, CountsWhatIsNotClaimedAsShown) {
@@ -170,9 +170,9 @@ TEST(WealthAtRungs, CountsWhatIsNotClaimedAsShown) {
   EXPECT_GT(margin_grid(Sides::both)[0].above_reference, 0);
   EXPECT_GT(margin_grid(Sides::not_above)[0].above_reference, 0);
   EXPECT_EQ(margin_grid(Sides::not_above)[0].below_reference, 0);
-  EXPECT_EQ(margin_grid(Sides::not_above)[0].not_darker, unlimited);
+  EXPECT_EQ(margin_grid(Sides::not_above)[0].above_lower_margin, unlimited);
   EXPECT_EQ(margin_grid(Sides::not_below)[0].above_reference, 0);
-  EXPECT_EQ(margin_grid(Sides::not_below)[0].not_brighter, unlimited);
+  EXPECT_EQ(margin_grid(Sides::not_below)[0].below_upper_margin, unlimited);
 }
 
 // Halves and thirds in turn, without chance.

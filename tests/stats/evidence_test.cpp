@@ -51,8 +51,8 @@ TEST(Evidence, IsTheCourseOfEveryChannelUpToItsVerdict) {
   ASSERT_EQ(evidence.means.size(), 2u);
   const auto& last = evidence.means[1].steps().back();
   EXPECT_EQ(last.draws, finding.draws);
-  EXPECT_GE(last.wealth.not_brighter, evidence.means[1].certifying());
-  EXPECT_GE(last.wealth.not_darker, evidence.means[1].certifying());
+  EXPECT_GE(last.wealth.below_upper_margin, evidence.means[1].certifying());
+  EXPECT_GE(last.wealth.above_lower_margin, evidence.means[1].certifying());
   EXPECT_LT(last.wealth.above_reference, evidence.means[1].refuting());
 }
 

@@ -40,7 +40,7 @@ TEST(Artifacts, OfAMeanAreTheCourseOfItsTest) {
   EXPECT_FALSE(pictures.empty());
   EXPECT_LE(pictures.size(), 3u);
   const std::string csv = read_file(folder / "pick.one.dice/wealth.csv");
-  EXPECT_TRUE(csv.starts_with("channel,draws,mean,log_too_bright,"));
+  EXPECT_TRUE(csv.starts_with("channel,draws,mean,log_above_reference,"));
   EXPECT_NE(csv.find("0," + std::to_string(outcome.evidence.means[0].steps().back().draws) + ","),
             std::string::npos);
 }
@@ -57,17 +57,14 @@ TEST(Artifacts, OfTilesAreAMapOfTheirBiases) {
       read_file(folder / "cornell-original.paired.mis.quarters.packet/tiles.exr").starts_with("\x76\x2f\x31\x01"));
 }
 
-// Beyond two margins a line ends at the end of the chart, however far it goes.
-TEST(Intervals, AreDrawnToTheEndOfTheChartWhereTheyAreOpen) {
+TEST(Intervals, OfAllClaimsAreAPictureAndItsScript) {
   const TemporaryFolder folder;
-  const auto picture_of = [&](const std::string& name, Interval interval) {
-    Outcome outcome{&registry()[0], {Verdict::certified, Guarantee::exact, 0.02, 0, interval}, 1};
-    return read_file(write_intervals(folder / name, {outcome}));
-  };
-  EXPECT_EQ(picture_of("a", {-infinity<double>, 0.01}), picture_of("b", {-0.05, 0.01}));
-  EXPECT_EQ(picture_of("c", {-0.01, infinity<double>}), picture_of("d", {-0.01, 0.05}));
-  EXPECT_EQ(picture_of("e", {-infinity<double>, infinity<double>}), picture_of("f", {-0.05, 0.05}));
-  EXPECT_NE(picture_of("g", {-0.01, 0.01}), picture_of("b", {-0.05, 0.01}));
+  const Outcome outcome{
+      &registry()[0], {Verdict::certified, Guarantee::exact, 0.02, 0, {-infinity<double>, 0.01}}, 1};
+  EXPECT_EQ(write_intervals(folder / "new", {outcome}), folder / "new/intervals.png");
+  EXPECT_TRUE(read_file(folder / "new/intervals.png").starts_with("\x89PNG"));
+  EXPECT_NE(read_file(folder / "new/intervals.gp").find(registry()[0].name + " certified -2 0.5\n"),
+            std::string::npos);
 }
 
 TEST(Artifacts, AreRefusedAFolderThatCannotHoldThem) {

@@ -55,8 +55,9 @@ TEST(LedgerText, ReadsWhatItWrites) {
     EXPECT_EQ(again->claim, entry.claim);
     EXPECT_EQ(again->seeds, entry.seeds);
     EXPECT_EQ(again->draws, entry.draws);
-    EXPECT_EQ(again->evidence_sum.channels()[0][0].not_brighter, entry.evidence_sum.channels()[0][0].not_brighter);
-    EXPECT_EQ(again->evidence_sum.channels()[0][1].total.not_darker, unlimited);
+    EXPECT_EQ(again->evidence_sum.channels()[0][0].below_upper_margin,
+              entry.evidence_sum.channels()[0][0].below_upper_margin);
+    EXPECT_EQ(again->evidence_sum.channels()[0][1].total.above_lower_margin, unlimited);
   }
 }
 
@@ -68,8 +69,8 @@ TEST(LedgerText, RoundsDown) {
       entry_of(std::string_view(line).substr(0, line.size() - 1))->evidence_sum.channels()[0][0].total;
   EXPECT_EQ(total.above_reference, 1);
   EXPECT_EQ(total.below_reference, -1 - 0x1p-10);
-  EXPECT_EQ(total.not_brighter, 0);
-  EXPECT_EQ(total.not_darker, -0x1p-10);
+  EXPECT_EQ(total.below_upper_margin, 0);
+  EXPECT_EQ(total.above_lower_margin, -0x1p-10);
 }
 
 TEST(LedgerText, RefusesEveryLineThatIsNotWhole) {

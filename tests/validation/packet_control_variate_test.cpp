@@ -179,8 +179,8 @@ TEST(PacketControlVariate, LeavesTheWealthOfBothParts) {
   const Wealth joint = detail::joint(Wealth{std::log(3), 0, 5, 2}, Wealth{0, std::log(7), 1, 4});
   EXPECT_DOUBLE_EQ(joint.above_reference, std::log(2));
   EXPECT_DOUBLE_EQ(joint.below_reference, std::log(4));
-  EXPECT_EQ(joint.not_brighter, 1);
-  EXPECT_EQ(joint.not_darker, 2);
+  EXPECT_EQ(joint.below_upper_margin, 1);
+  EXPECT_EQ(joint.above_lower_margin, 2);
   constexpr double infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(detail::joint(Wealth{infinite, 0, 0, 0}, Wealth{}).above_reference, infinite);
 }

@@ -70,8 +70,8 @@ TEST(CheckParts, EndsWithThePartThatIsToldTo) {
   leave_tiles(trial, std::vector<double>(4, 1), 2);
   EXPECT_EQ(evidence.tiles.biases[2], 0);
   ASSERT_EQ(evidence.margin_grid.channels.size(), 4u);
-  EXPECT_GT(evidence.margin_grid.channels[0][0].not_darker, 0);
-  EXPECT_EQ(evidence.margin_grid.channels[3][0].not_darker, 0);
+  EXPECT_GT(evidence.margin_grid.channels[0][0].above_lower_margin, 0);
+  EXPECT_EQ(evidence.margin_grid.channels[3][0].above_lower_margin, 0);
 }
 
 TEST(CheckParts, SaysHowMuchOfAllPartsIsDone) {

@@ -190,7 +190,11 @@ TEST(RunProcess, GivesItsArgumentsToTheProgramAsTheyAre) {
   const ProcessResult result = run_process({"printf", "%s|", "a b", "$HOME", "; exit 3"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out, "a b|$HOME|; exit 3|");
-  EXPECT_EQ(run_process({"sh", "-c", "echo lost >&2; exit 7"}).status, 7);
+  const ProcessResult failure = run_process({"sh", "-c", "echo out; echo why >&2; exit 7"});
+  EXPECT_EQ(failure.status, 7);
+  EXPECT_EQ(failure.out, "out\n");
+  EXPECT_EQ(failure.error, "why\n");
+  EXPECT_EQ(run_process({"sh", "-c", "head -c 1000000 /dev/zero >&2"}).error.size(), 1'000'000u);
   EXPECT_EQ(run_process({"sh", "-c", "kill -9 $$"}).status, 137);
   EXPECT_THROW(run_process({"no-such-program-anywhere"}), std::runtime_error);
 }

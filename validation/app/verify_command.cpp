@@ -13,6 +13,7 @@
 #include <fairlight/validation/app/options.h>
 #include <fairlight/validation/app/progress.h>
 #include <fairlight/validation/report/artifacts.h>
+#include <fairlight/validation/report/charts.h>
 #include <fairlight/validation/report/markdown.h>
 #include <fairlight/validation/report/report.h>
 #include <fairlight/validation/run/ledger_run.h>
@@ -109,7 +110,10 @@ void require_different(const std::vector<std::pair<std::string, std::string>>& o
 void check_outputs(const VerifyOptions& options) {
   if (!options.json.empty()) AtomicFile::check_writable(options.json);
   if (!options.report.empty()) AtomicFile::check_writable(options.report);
-  if (!artifact_folder(options).empty()) check_folder(artifact_folder(options));
+  if (!artifact_folder(options).empty()) {
+    check_folder(artifact_folder(options));
+    check_gnuplot();
+  }
   require_different({{"--json", options.json}, {"--report", options.report}, {"--ledger", options.ledger}});
 }
 

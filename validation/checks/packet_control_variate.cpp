@@ -76,7 +76,8 @@ namespace detail {
 
 Wealth joint(const Wealth& a, const Wealth& b) {
   return {log_of_mean(a.above_reference, b.above_reference), log_of_mean(a.below_reference, b.below_reference),
-          std::min(a.not_brighter, b.not_brighter), std::min(a.not_darker, b.not_darker)};
+          std::min(a.below_upper_margin, b.below_upper_margin),
+          std::min(a.above_lower_margin, b.above_lower_margin)};
 }
 
 }  // namespace detail

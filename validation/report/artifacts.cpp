@@ -7,7 +7,6 @@
 #include <fairlight/render/raster.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/report/artifacts.h>
-#include <fairlight/validation/report/axes.h>
 #include <fairlight/validation/report/charts.h>
 #include <fairlight/validation/report/report.h>
 
@@ -22,9 +21,9 @@ void make_folder(const std::string& folder) {
   if (error) throw std::runtime_error("cannot make the folder \"" + folder + "\" (" + error.message() + ")");
 }
 
-// The name "stem.end" if there is only one such file (n <= 1), else "stem_i.end".
-std::string numbered(const std::string& stem, std::size_t i, std::size_t n, const std::string& end) {
-  return n > 1 ? stem + "_" + std::to_string(i) + end : stem + end;
+// The name "stem" if there is only one such file (n <= 1), else "stem_i".
+std::string numbered(const std::string& stem, std::size_t i, std::size_t n) {
+  return n > 1 ? stem + "_" + std::to_string(i) : stem;
 }
 
 void write_cells(const std::string& stem, const Evidence::Cells& cells) {
@@ -51,11 +50,13 @@ void write_tiles(const std::string& path, const Evidence::Tiles& tiles) {
 }
 
 std::string courses_csv(const std::vector<Evidence::Course>& courses) {
-  std::string csv = "channel,draws,mean,log_too_bright,log_too_dark,log_not_brighter,log_not_darker\n";
+  std::string csv =
+      "channel,draws,mean,log_above_reference,log_below_reference,log_below_upper_margin,log_above_lower_margin\n";
   for (std::size_t c = 0; c < courses.size(); ++c) {
     for (const auto& [draws, mean, wealth] : courses[c].steps()) {
       csv += formatted("%zu,%llu,%.17g,%.6g,%.6g,%.6g,%.6g\n", c, static_cast<unsigned long long>(draws), mean,
-                       wealth.above_reference, wealth.below_reference, wealth.not_brighter, wealth.not_darker);
+                       wealth.above_reference, wealth.below_reference, wealth.below_upper_margin,
+                       wealth.above_lower_margin);
     }
   }
   return csv;
@@ -96,53 +97,32 @@ std::vector<std::string> write_artifacts(const std::string& folder, const Outcom
   json["source"] = outcome.claim->source;
   write_json(place + "/finding.json", json);
   std::vector<std::string> pictures;
-  const auto draw = [&](const std::string& file, const Canvas& canvas) {
-    pictures.push_back(place + "/" + file);
-    canvas.write(pictures.back());
+  const auto draw = [&](const std::string& stem, const std::string& script) {
+    pictures.push_back(write_chart(place + "/" + stem, script));
   };
   const auto& laws = outcome.evidence.laws;
   const auto& means = outcome.evidence.means;
   const std::string title = label(outcome, run_options) + ": " + name(outcome.finding.verdict);
   for (std::size_t i = 0; i < laws.size(); ++i) {
-    write_cells(place + "/" + numbered("cells", i, laws.size(), ""), laws[i]);
-    draw(numbered("p_map", i, laws.size(), ".png"), p_map_chart(title, laws[i]));
-    draw(numbered("histogram", i, laws.size(), ".png"), histogram_chart(title, laws[i]));
+    write_cells(place + "/" + numbered("cells", i, laws.size()), laws[i]);
+    draw(numbered("p_map", i, laws.size()), p_map_script(title, laws[i]));
+    draw(numbered("histogram", i, laws.size()), histogram_script(title, laws[i]));
   }
   if (const auto& tiles = outcome.evidence.tiles; tiles.columns > 1) {
     write_tiles(place + "/tiles.exr", tiles);
-    draw("tiles.png", tile_map_chart(title, tiles));
+    draw("tiles", tile_map_script(title, tiles));
   }
   if (!means.empty()) write_whole(place + "/wealth.csv", courses_csv(means));
   for (std::size_t c : worst_channels(means)) {
     const std::string channel = means.size() > 1 ? ", channel " + std::to_string(c) : "";
-    draw(numbered("wealth", c, means.size(), ".png"), wealth_chart(title + channel, means[c]));
+    draw(numbered("wealth", c, means.size()), wealth_script(title + channel, means[c]));
   }
   return pictures;
 }
 
 std::string write_intervals(const std::string& folder, const std::vector<Outcome>& outcomes) {
   make_folder(folder);
-  Canvas canvas(1200, 560);
-  canvas.text(20, 14, "the bias of every claim, in units of its margin: intervals");
-  const auto n = static_cast<double>(outcomes.size());
-  const Axes axes(canvas, {90, 70, 1180, 490}, {0, n}, {-2, 2});
-  axes.draw("claims", "");
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const Finding& finding = outcomes[i].finding;
-    const double x = axes.x(static_cast<double>(i) + 0.5);
-    const Colour colour = finding.verdict == Verdict::certified ? Colour{20, 140, 70}
-                          : finding.verdict == Verdict::biased  ? Colour{200, 30, 30}
-                                                                : Colour{235, 140, 20};
-    double top = axes.y(finding.interval.hi / finding.margin);
-    double bottom = axes.y(finding.interval.lo / finding.margin);
-    if (finding.interval.lo / finding.margin >= 2) bottom += 20;  // beyond the chart: a mark at its end needs room
-    if (finding.interval.hi / finding.margin <= -2) top -= 20;
-    canvas.line(x, top, x, bottom, colour);
-  }
-  for (double margin : {-1.0, 1.0}) canvas.dashes(90, 1180, Axes::pixel(axes.y(margin)), {0, 0, 0});
-  std::string path = folder + "/intervals.png";
-  canvas.write(path);
-  return path;
+  return write_chart(folder + "/intervals", intervals_script(outcomes));
 }
 
 }  // namespace fairlight

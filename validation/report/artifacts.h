@@ -17,8 +17,8 @@ void check_folder(const std::string& folder);
 ///    p_map.png;
 ///  * for a mean, wealth.csv (the course of the test in every channel) and wealth.png (the three
 ///    channels with the most evidence against them).
-/// Writes each file whole or not at all, and returns the paths of the pictures. Throws
-/// std::runtime_error.
+/// Each chart has its gnuplot script beside it, as NAME.gp. Writes each file whole or not at all,
+/// and returns the paths of the pictures. Throws std::runtime_error.
 std::vector<std::string> write_artifacts(const std::string& folder, const Outcome& outcome,
                                          const RunOptions& run_options);
 

@@ -1,129 +1,71 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <vector>
+#include <filesystem>
+#include <regex>
+#include <stdexcept>
 
+#include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/law_test.h>
-#include <fairlight/validation/report/axes.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/report/charts.h>
+#include <fairlight/validation/run/subprocess.h>
 
 namespace fairlight {
 namespace {
 
-constexpr Colour black{0, 0, 0};
-constexpr Colour grey{150, 150, 150};
-constexpr Colour pale{190, 205, 225};
-constexpr Colour red{200, 30, 30};
-constexpr Colour blue{30, 80, 190};
-constexpr Colour orange{235, 140, 20};
-constexpr Colour green{20, 140, 70};
+// The title, which may hold any letters, is above the keys of all panels.
+std::string head(const std::string& title, int width, int height = 700, const char* layout = "1,1") {
+  return formatted("set terminal pngcairo noenhanced size %d,%d font 'sans,11'\n", width, height) +
+         formatted("set multiplot layout %s columnsfirst title '%s' font ',13'\n", layout,
+                   std::regex_replace(title, std::regex("'"), "''").c_str()) +
+         R"(red = '#c81e1e'; blue = '#1e50be'; orange = '#eb8c14'; green = '#148c46'; grey = '#808080'
+set key outside top center horizontal
+)";
+}
 
-// Expected and counted draws of one bar.
-struct Bar {
-  double expected = 0;
-  double counted = 0;
-};
-
-// The draws along an axis: cell i belongs to bar `place(i)` of n. Neighbours share a bar if n is
-// above 128.
+// The draws along one axis of the cells, as bars: cell i belongs to row `place(i)` of n. Neighbours
+// share a bar if n is above 128. Differences with a standard deviation above 10 % are left out.
 template <class Place>
-std::vector<Bar> bars_along(const Evidence::Cells& cells, int n, const Place& place) {
-  const std::size_t together = (static_cast<std::size_t>(n) + 127) / 128;
-  std::vector<Bar> bars((static_cast<std::size_t>(n) + together - 1) / together);
+std::string bars_along(const Evidence::Cells& cells, int n, const char* axis, const Place& place) {
+  const auto width = (static_cast<std::size_t>(n) + 127) / 128;
+  std::vector<double> counted((static_cast<std::size_t>(n) + width - 1) / width), expected(counted.size());
   for (std::size_t i = 0; i < cells.counts.size(); ++i) {
-    Bar& bar = bars[place(i) / together];
-    bar.expected += cells.draws * cells.probabilities[i];
-    bar.counted += static_cast<double>(cells.counts[i]);
+    counted[place(i) / width] += static_cast<double>(cells.counts[i]);
+    expected[place(i) / width] += cells.draws * cells.probabilities[i];
   }
-  return bars;
-}
-
-double largest(const std::vector<Bar>& bars) {
-  double most = 1;
-  for (const Bar& bar : bars) most = std::max({most, bar.expected, bar.counted});
-  return most;
-}
-
-void draw_counts(Canvas& canvas, const Axes::Place& place, const std::vector<Bar>& bars, const std::string& axis) {
-  const auto n = static_cast<double>(bars.size());
-  const Axes axes(canvas, place, {0, n}, {0, 1.1 * largest(bars)});
-  for (std::size_t i = 0; i < bars.size(); ++i) {
-    const auto at = static_cast<double>(i);
-    canvas.rectangle(Axes::pixel(axes.x(at)), Axes::pixel(axes.y(bars[i].counted)), Axes::pixel(axes.x(at + 1)) - 1,
-                     place.bottom, pale);
+  std::string script = formatted("n = %d; width = %zu\n$bars << EOD\n", n, width);
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    const double middle = (static_cast<double>(i) + 0.5) * static_cast<double>(width), percent = 100 / expected[i];
+    const double deviation = percent * std::sqrt(expected[i] * std::max(0.0, 1 - expected[i] / cells.draws));
+    script += formatted("%g %.0f %.10g %.5g %.5g\n", middle, counted[i], expected[i],
+                        percent * (counted[i] - expected[i]), deviation);
   }
-  axes.draw("", "draws along " + axis);
-  for (std::size_t i = 0; i < bars.size(); ++i) {
-    const auto at = static_cast<double>(i);
-    const double height = axes.y(bars[i].expected);
-    canvas.line(axes.x(at), height, axes.x(at + 1) - 2, height, blue);
-  }
+  return script + "EOD\nset xlabel '" + axis + R"('
+set lmargin 12; set xrange [0:n]; set yrange [0:*]; set ylabel 'draws'; set boxwidth width
+off(difference, deviation, least) = deviation < 10 && abs(difference) >= least * deviation ? difference : NaN
+plot $bars using 1:2 with boxes fs solid noborder lc rgb '#bed0e8' title 'counted', \
+  '' using 1:3 with histeps lw 1.5 lc rgb blue title 'expected'
+set yrange [*:*]; set ylabel 'counted / expected - 1, in %'
+plot 0 lw 1.5 lc rgb blue notitle, $bars using 1:(off($4, $5, 0)):(2 * $5) \
+  with yerrorbars pt 7 ps 0.5 lc rgb grey title 'difference (bars: 2 standard deviations; none above 20 %)', \
+  '' using 1:(off($4, $5, 4)):(2 * $5) \
+  with yerrorbars pt 7 ps 0.5 lc rgb red title 'off by more than 4 standard deviations'
+)";
 }
 
-// Draws the relative differences of counted and expected draws. A vertical line shows two standard
-// deviations up and down.
-void draw_differences(Canvas& canvas, const Axes::Place& place, const std::vector<Bar>& bars,
-                      const std::string& axis) {
-  double most = 1e-9;
-  const auto difference = [](const Bar& bar) { return bar.expected > 0 ? bar.counted / bar.expected - 1 : 0; };
-  const auto reach = [](const Bar& bar) { return bar.expected > 0 ? 2 / std::sqrt(bar.expected) : 0; };
-  for (const Bar& bar : bars) {
-    if (bar.expected >= 80) most = std::max(most, std::abs(difference(bar)) + reach(bar));
-  }
-  const auto n = static_cast<double>(bars.size());
-  const Axes axes(canvas, place, {0, n}, {-1.1 * most, 1.1 * most});
-  axes.draw("cell along " + axis, "counted / expected - 1");
-  canvas.rectangle(place.left, Axes::pixel(axes.y(0)), place.right, Axes::pixel(axes.y(0)) + 2, blue);
-  for (std::size_t i = 0; i < bars.size(); ++i) {
-    if (bars[i].expected < 80) continue;
-    const double at = axes.x(static_cast<double>(i) + 0.5);
-    const double value = difference(bars[i]);
-    const Colour colour = std::abs(value) > 2 * reach(bars[i]) ? red : black;
-    canvas.line(at, axes.y(value - reach(bars[i])), at, axes.y(value + reach(bars[i])), grey);
-    canvas.rectangle(Axes::pixel(at) - 2, Axes::pixel(axes.y(value)) - 2, Axes::pixel(at) + 4,
-                     Axes::pixel(axes.y(value)) + 4, colour);
-  }
-}
-
-// White for a depth of 0; red (`more`) or blue for a depth of 1.
-Colour shade(double depth, bool more) {
-  const auto fade = [depth](int to) { return static_cast<std::uint8_t>(std::lround(255 + depth * (to - 255))); };
-  const Colour& end = more ? red : blue;
-  return {fade(end[0]), fade(end[1]), fade(end[2])};
-}
-
-// The full colour for p <= 1e-8.
-Colour shade(const CellResidue& residue) {
-  return shade(std::min(1.0, -std::log10(std::max(residue.p, 1e-300)) / 8), residue.deviations > 0);
-}
-
-struct Process {
-  std::string name;
-  double Wealth::*wealth;
-  Colour colour;
-};
-
-// The processes that a claim uses: all four, or two for a one-sided claim.
-std::vector<Process> processes_of(Sides sides) {
-  std::vector<Process> processes;
-  if (sides != Sides::not_below) processes.push_back({"too bright", &Wealth::above_reference, red});
-  if (sides != Sides::not_above) processes.push_back({"too dark", &Wealth::below_reference, blue});
-  if (sides != Sides::not_below) processes.push_back({"not brighter", &Wealth::not_brighter, orange});
-  if (sides != Sides::not_above) processes.push_back({"not darker", &Wealth::not_darker, green});
-  return processes;
-}
-
-double power(double logarithm) { return logarithm / std::log(10); }
-
-void draw_process(Canvas& canvas, const Axes& axes, const Evidence::Course& course, const Process& process) {
-  double from = 0;
-  double height = 0;
-  for (const auto& step : course.steps()) {
-    const auto to = static_cast<double>(step.draws);
-    const double risen = power(step.wealth.*process.wealth);
-    canvas.line(axes.x(from), axes.y(height), axes.x(to), axes.y(risen), process.colour);
-    from = to;
-    height = risen;
-  }
+// Shows each value at its place: white for 0, red for `most` and above, blue for -most and below.
+std::string map(const std::vector<double>& values, int across, int most) {
+  const int down = (static_cast<int>(values.size()) + across - 1) / across;
+  std::string script = formatted("across = %d; down = %d; most = %d\n$cells << EOD\n", across, down, most);
+  for (const double value : values) script += formatted("%.5g\n", value);
+  return script + R"(EOD
+set xrange [0:across]; set yrange [down:0]; set cbrange [-most:most]; set size ratio -1
+set xtics 0,(across + 7) / 8 out nomirror; set ytics 0,(down + 7) / 8 out nomirror
+set palette defined (-1 blue, 0 'white', 1 red)
+plot $cells using (int($0) % across + 0.5):(int($0) / across + 0.5):(0.5):(0.5):1 \
+  with boxxyerror fs solid noborder lc palette notitle
+)";
 }
 
 }  // namespace
@@ -137,84 +79,101 @@ CellResidue cell_residue(const Evidence::Cells& cells, std::size_t cell) {
   return {expected, spread > 0 ? more / spread : 0, std::min(1.0, 2 * std::min(tails.too_few, tails.too_many))};
 }
 
-Canvas histogram_chart(const std::string& title, const Evidence::Cells& cells) {
-  const bool line = cells.columns == 1;
-  Canvas canvas(line ? 900 : 1500, 700);
-  canvas.text(20, 14, title);
-  canvas.text(20, 40, "bars: counted; blue: expected; strokes: two standard deviations; red: more than four", grey);
+std::string histogram_script(const std::string& title, const Evidence::Cells& cells) {
   const auto columns = static_cast<std::size_t>(cells.columns);
-  const auto panel = [&](int left, int right, const std::vector<Bar>& bars, const std::string& axis) {
-    draw_counts(canvas, {left, 100, right, 340}, bars, axis);
-    draw_differences(canvas, {left, 410, right, 640}, bars, axis);
-  };
-  panel(120, line ? 880 : 730, bars_along(cells, cells.rows, [=](std::size_t i) { return i / columns; }), "s");
-  if (!line) panel(870, 1480, bars_along(cells, cells.columns, [=](std::size_t i) { return i % columns; }), "t");
-  return canvas;
+  const bool line = columns == 1;
+  return head(title + " (draws)", line ? 900 : 1500, 800, line ? "2,1" : "2,2") +
+         bars_along(cells, cells.rows, line ? "cell" : "cell along s", [=](std::size_t i) { return i / columns; }) +
+         (line ? "" : bars_along(cells, cells.columns, "cell along t", [=](std::size_t i) { return i % columns; }));
 }
 
-Canvas p_map_chart(const std::string& title, const Evidence::Cells& cells) {
-  const int across =
-      cells.columns == 1 ? std::min(cells.rows, 32) : cells.columns;  // a long row wraps into several
-  const int down = (cells.rows * cells.columns + across - 1) / across;
-  const int size = std::max(1, std::min({40, 1200 / across, 1200 / down}));
-  Canvas canvas(std::max(760, across * size + 40), down * size + 140);
-  canvas.text(20, 14, title);
-  canvas.text(20, 40, "p of each cell, s downwards, t to the right", grey);
-  for (int i = 0; i <= 80; ++i) {
-    const int x = 20 + 4 * i;
-    canvas.rectangle(x, 64, x + 4, 80, shade({1, 1, std::pow(10, -i / 10.0)}));
-    canvas.rectangle(x + 360, 64, x + 364, 80, shade({1, -1, std::pow(10, -i / 10.0)}));
-  }
-  canvas.text(20, 86, "too many, p = 1", grey);
-  canvas.text_to(344, 86, "1e-8", grey);
-  canvas.text(380, 86, "too few, p = 1", grey);
-  canvas.text_to(704, 86, "1e-8", grey);
+std::string p_map_script(const std::string& title, const Evidence::Cells& cells) {
+  std::vector<double> powers;
   for (std::size_t i = 0; i < cells.counts.size(); ++i) {
-    const int x = 20 + static_cast<int>(i) % across * size;
-    const int y = 120 + static_cast<int>(i) / across * size;
-    canvas.rectangle(x, y, x + size, y + size, {225, 225, 225});
-    canvas.rectangle(x, y, x + std::max(1, size - 1), y + std::max(1, size - 1), shade(cell_residue(cells, i)));
+    const CellResidue residue = cell_residue(cells, i);
+    powers.push_back(std::copysign(std::log10(std::max(residue.p, 1e-300)), residue.deviations));
   }
-  return canvas;
+  const auto side = std::bit_ceil(static_cast<unsigned>(std::ceil(std::sqrt(cells.rows))));
+  const int across = cells.columns > 1 ? cells.columns : static_cast<int>(side);  // a column wraps
+  return head(title + " (p-values)", 900) +
+         (cells.columns > 1 ? "set xlabel 'cell along t'; set ylabel 'cell along s'\n"
+                            : formatted("set xlabel 'cells from the top left, %d in each row'\n", across)) +
+         R"(set cblabel "p-value of each cell\nred: more draws than expected, blue: fewer" offset 1
+set cbtics ('1e-8' -8, '1e-6' -6, '1e-4' -4, '1e-2' -2, '1' 0, '1e-2' 2, '1e-4' 4, '1e-6' 6, '1e-8' 8)
+)" + map(powers, across, 8);
 }
 
-Canvas tile_map_chart(const std::string& title, const Evidence::Tiles& tiles) {
-  const int across = tiles.columns, size = std::max(1, 640 / across);
-  const int down = static_cast<int>(tiles.biases.size()) / across;
-  Canvas canvas(std::max(760, across * size + 40), down * size + 100);
-  canvas.text(20, 14, title);
-  canvas.text(20, 40, "red: too bright, blue: too dark; deep at twice the margin", grey);
-  for (std::size_t i = 0; i < tiles.biases.size(); ++i) {
-    const int x = 20 + static_cast<int>(i) % across * size;
-    const int y = 80 + static_cast<int>(i) / across * size;
-    const double depth = std::min(1.0, std::abs(tiles.biases[i]) / 2);
-    canvas.rectangle(x, y, x + size, y + size, {225, 225, 225});
-    canvas.rectangle(x, y, x + std::max(1, size - 1), y + std::max(1, size - 1), shade(depth, tiles.biases[i] > 0));
-  }
-  return canvas;
+std::string tile_map_script(const std::string& title, const Evidence::Tiles& tiles) {
+  return head(title + " (bias of each tile)", 900) + R"(set xlabel 'column of tiles'; set ylabel 'row of tiles'
+set cblabel "bias / margin\nred: above the reference, blue: below" offset 1
+)" + map(tiles.biases, tiles.columns, 2);
 }
 
-Canvas wealth_chart(const std::string& title, const Evidence::Course& course) {
-  Canvas canvas(1100, 640);
-  canvas.text(20, 14, title);
-  const double last = course.steps().empty() ? 1 : static_cast<double>(course.steps().back().draws);
-  const Axes::Place place{120, 110, 1080, 570};
-  const Axes axes(canvas, place, {0, last}, {power(-course.refuting()), 1.15 * power(course.refuting())});
-  axes.draw("draws", "wealth, as a power of ten");
-  int x = 20;
-  for (const Process& process : processes_of(course.sides())) {
-    canvas.text(x, 42, process.name, process.colour);
-    x += Canvas::letter_width * static_cast<int>(process.name.size() + 3);
-    draw_process(canvas, axes, course, process);
+std::string wealth_script(const std::string& title, const Evidence::Course& course) {
+  std::string script = head(title + " (wealth)", 1100) + "$steps << EOD\n0 0 0 0 0\n";
+  const auto power = [](double logarithm) { return logarithm / std::log(10); };
+  for (const auto& [draws, mean, w] : course.steps())
+    script += std::to_string(draws) + formatted(" %.6g %.6g %.6g %.6g\n", power(w.above_reference),
+                                                power(w.below_upper_margin), power(w.below_reference),
+                                                power(w.above_lower_margin));
+  return script + formatted(R"(EOD
+biased = %g; certified = %g; first = %d; last = %d
+set xlabel 'draws'; set ylabel 'log10 of the wealth; each bet starts with a wealth of 1'
+set yrange [-biased:1.1 * biased]; set link y2; set autoscale xfix; set ytics nomirror
+set y2tics ("biased:\nred or blue\nis here" biased, "certified:\norange and\ngreen are\nhere" certified)
+bets = "'above the reference' 'below reference + margin' 'below the reference' 'above reference - margin'"
+colours = red.' '.orange.' '.blue.' '.green; set key title 'bets that the mean is'
+plot biased lc rgb 'black' dt 2 notitle, certified lc rgb 'black' dt 2 notitle, for [bet = first:last] \
+  $steps using 1:(column(bet + 1)) with lines lw 2 lc rgb word(colours, bet) title word(bets, bet)
+)",
+                            power(course.refuting()), power(course.certifying()),
+                            course.sides() == Sides::not_below ? 3 : 1, course.sides() == Sides::not_above ? 2 : 4);
+}
+
+std::string intervals_script(const std::vector<Outcome>& outcomes) {
+  std::string script =
+      head("the bias of each claim lies in its interval", 1200, outcomes.size() > 40 ? 1400 : 700) +
+      "$intervals << EOD\n";
+  for (const Outcome& outcome : outcomes) {
+    const Finding& finding = outcome.finding;
+    const auto in_margins = [&](double end) { return std::clamp(end / finding.margin, -2.0, 2.0); };
+    script += formatted("%s %s %.5g %.5g\n", outcome.claim->name.c_str(), name(finding.verdict),
+                        in_margins(finding.interval.lo), in_margins(finding.interval.hi));
   }
-  const auto level = [&](double wealth, const std::string& says) {
-    const int y = Axes::pixel(axes.y(power(wealth)));
-    canvas.dashes(place.left, place.right, y, black);
-    canvas.text(place.left + 10, y - 18, says);
-  };
-  level(course.refuting(), "biased: too bright or too dark is here");
-  level(course.certifying(), "certified: not brighter and not darker are here");
-  return canvas;
+  return script + R"(EOD
+set yrange [|$intervals|:-1]; set xrange [-2:2]; set xlabel 'bias / margin (intervals beyond 2 end there)'
+if (|$intervals| > 40) { set ylabel 'claims' } else {
+  set ytics (); do for [i = 1:|$intervals|] { set ytics add (word($intervals[i], 1) i - 1) } }
+set arrow from -1,graph 0 to -1,graph 1 nohead dt 2; set arrow from 1,graph 0 to 1,graph 1 nohead dt 2
+set arrow from 0,graph 0 to 0,graph 1 nohead lc rgb grey
+mark(low, high) = high - low < 0.04 ? 0.02 : 0  # makes what is short, or beyond the chart, visible
+plot for [v in 'certified undecided biased'] \
+  $intervals using (strcol(2) eq v ? $3 - mark($3, $4) : NaN):0:($4 - $3 + 2 * mark($3, $4)):(0) \
+  with vectors nohead lw 2 lc rgb (v eq 'certified' ? green : v eq 'biased' ? red : orange) title v, \
+  NaN dt 2 lc rgb 'black' title 'margin'
+)";
+}
+
+void check_gnuplot() {
+  try {
+    if (run_process({"gnuplot", "-d", "-e", "set terminal pngcairo"}).status == 0) return;
+  } catch (const std::runtime_error&) {  // says less
+  }
+  throw std::runtime_error(
+      "charts need gnuplot with pngcairo, which is not on the PATH (install the Debian package gnuplot-nox)");
+}
+
+std::string write_chart(const std::string& stem, const std::string& script) {
+  const std::string file = std::filesystem::absolute(stem + ".gp").string();  // begins with no hyphen
+  write_whole(file, script);
+  const auto [status, png, error] = run_process({"gnuplot", "-d", file});
+  if (status != 0) {
+    const std::string said = error.substr(0, error.find_last_not_of('\n') + 1);
+    const std::string problem = said.substr(said.rfind('\n') + 1);
+    throw std::runtime_error(formatted("gnuplot cannot draw \"%s.png\" (%s)", stem.c_str(), problem.c_str()));
+  }
+  write_whole(stem + ".png", png);
+  return stem + ".png";
 }
 
 }  // namespace fairlight

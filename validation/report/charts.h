@@ -1,9 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include <fairlight/stats/evidence.h>
-#include <fairlight/validation/report/canvas.h>
+#include <fairlight/validation/run/run_claims.h>
 
 namespace fairlight {
 
@@ -15,21 +15,19 @@ struct CellResidue {
 };
 CellResidue cell_residue(const Evidence::Cells& cells, std::size_t cell);
 
-/// Draws the counts along both axes of the cells as bars, and the expected counts as a line. Below,
-/// it draws the relative differences with two standard deviations. Neighbours share a bar if there
-/// are many cells.
-Canvas histogram_chart(const std::string& title, const Evidence::Cells& cells);
+/// Each of these functions returns a chart as a gnuplot script that contains its data and prints a
+/// PNG. See docs/validation.md for what the charts show.
+std::string histogram_script(const std::string& title, const Evidence::Cells& cells);
+std::string p_map_script(const std::string& title, const Evidence::Cells& cells);
+std::string tile_map_script(const std::string& title, const Evidence::Tiles& tiles);
+std::string wealth_script(const std::string& title, const Evidence::Course& course);
+std::string intervals_script(const std::vector<Outcome>& outcomes);
 
-/// Draws the p-value of each cell at its place: red for too many draws, blue for too few, in full
-/// colour for p <= 1e-8.
-Canvas p_map_chart(const std::string& title, const Evidence::Cells& cells);
+/// Throws std::runtime_error unless gnuplot can be run and has the terminal pngcairo.
+void check_gnuplot();
 
-/// Draws the bias of each tile at its place: red for too bright, blue for too dark, in full colour
-/// from twice the margin on.
-Canvas tile_map_chart(const std::string& title, const Evidence::Tiles& tiles);
-
-/// Draws the wealth of the four processes, which starts at 1, against the number of draws, with the
-/// levels that decide.
-Canvas wealth_chart(const std::string& title, const Evidence::Course& course);
+/// Writes the script as `stem`.gp and the PNG that gnuplot makes of it as `stem`.png, each whole or
+/// not at all. Returns the path of the PNG. Throws std::runtime_error with what gnuplot says.
+std::string write_chart(const std::string& stem, const std::string& script);
 
 }  // namespace fairlight

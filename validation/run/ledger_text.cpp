@@ -68,10 +68,10 @@ EvidenceSum evidence_sum_of(Words& words, bool run) {
     EvidenceSum::Sum sum;
     sum.total.above_reference = words.log_wealth();
     sum.total.below_reference = words.log_wealth();
-    sum.total.not_brighter = words.log_wealth();
-    sum.total.not_darker = words.log_wealth();
-    sum.not_brighter = run ? std::max(0.0, sum.total.not_brighter) : words.log_wealth();
-    sum.not_darker = run ? std::max(0.0, sum.total.not_darker) : words.log_wealth();
+    sum.total.below_upper_margin = words.log_wealth();
+    sum.total.above_lower_margin = words.log_wealth();
+    sum.below_upper_margin = run ? std::max(0.0, sum.total.below_upper_margin) : words.log_wealth();
+    sum.above_lower_margin = run ? std::max(0.0, sum.total.above_lower_margin) : words.log_wealth();
     sums.push_back(sum);
   }
   if (!words.good() || channels == 0 || sums.empty() || sums.size() % channels != 0) return {};
@@ -95,12 +95,12 @@ std::string line_of(const LedgerEntry& entry) {
           std::to_string(entry.evidence_sum.channels().size());
   for (const auto& channel : entry.evidence_sum.channels()) {
     for (const EvidenceSum::Sum& sum : channel) {
-      for (double x :
-           {sum.total.above_reference, sum.total.below_reference, sum.total.not_brighter, sum.total.not_darker})
+      for (double x : {sum.total.above_reference, sum.total.below_reference, sum.total.below_upper_margin,
+                       sum.total.above_lower_margin})
         put(line, x);
       if (run) continue;
-      put(line, sum.not_brighter);
-      put(line, sum.not_darker);
+      put(line, sum.below_upper_margin);
+      put(line, sum.above_lower_margin);
     }
   }
   return line + " " + seed_text(hash_of(line)) + "\n";

@@ -11,8 +11,9 @@ namespace fairlight {
 inline constexpr std::string_view ledger_header = "fairlight ledger 1\n";
 
 /// An entry as a line, with its checksum and line end. For each channel and each level of its
-/// margin grid, a run has four logarithms of wealth: above_reference, below_reference, not_brighter
-/// and not_darker. A sum of runs has two more: the greatest not_brighter and not_darker of a run.
+/// margin grid, a run has four logarithms of wealth: above_reference, below_reference,
+/// below_upper_margin and above_lower_margin. A sum of runs has two more: the greatest
+/// below_upper_margin and above_lower_margin of a run.
 ///   run CLAIM CONTENT SEED DRAWS FIRST CHANNELS ...
 ///   sum CLAIM CONTENT SEED,SEED,... DRAWS FIRST CHANNELS ...
 std::string line_of(const LedgerEntry& entry);
