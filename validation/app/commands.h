@@ -16,9 +16,6 @@ void add_tester_commands(CLI::App& audit, Command& command);
 /// Adds `mutate` to `audit`.
 void add_mutate_command(CLI::App& audit, Command& command);
 
-/// Adds `judges` to `audit`.
-void add_judges_command(CLI::App& audit, Command& command);
-
 /// Adds `domains` to `audit`.
 void add_domains_command(CLI::App& audit, Command& command);
 

@@ -15,6 +15,12 @@
 #include <fairlight/validation/audit/tester_audit.h>
 
 namespace fairlight {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TesterOutcome, name, runs, failures, limit)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CostOutcome, law, draws_per_cv2)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerOutcome, bias, runs, runs_certified, runs_biased, ledgers, ledgers_biased,
+                                   median_finer)
+
 namespace {
 
 struct TesterOptions {
@@ -22,7 +28,9 @@ struct TesterOptions {
   bool brief = false;
   int threads = hardware_threads();
 
+  // The audit. Checks that the output can be written.
   TesterAudit audit() const {
+    if (!json.empty()) AtomicFile::check_writable(json);
     TesterAudit audit{seed.empty() ? fresh_seed() : parse_seed(seed), threads};
     if (brief) {
       audit.calibration_runs = 300;
@@ -39,14 +47,6 @@ void print_outcomes(const std::vector<TesterOutcome>& outcomes, const char* fail
     std::printf("%-44s %6d %9d %6d%s\n", o.name.c_str(), o.runs, o.failures, o.limit,
                 o.passed() ? "" : "  <- over");
   }
-}
-
-nlohmann::json outcomes_json(const std::vector<TesterOutcome>& outcomes) {
-  nlohmann::json tests = nlohmann::json::array();
-  for (const TesterOutcome& o : outcomes) {
-    tests.push_back({{"name", o.name}, {"runs", o.runs}, {"failures", o.failures}, {"limit", o.limit}});
-  }
-  return tests;
 }
 
 bool print_cost(const std::vector<CostOutcome>& costs) {
@@ -90,7 +90,6 @@ int conclude(const TesterOptions& options, const TesterAudit& audit, nlohmann::j
 }
 
 int calibration(const TesterOptions& options) {
-  if (!options.json.empty()) AtomicFile::check_writable(options.json);
   const TesterAudit audit = options.audit();
   const auto outcomes = audit_calibration(audit, progress_bar("calibration"));
   const auto costs = audit_cost(audit, progress_bar("cost"));
@@ -99,8 +98,7 @@ int calibration(const TesterOptions& options) {
   print_outcomes(outcomes, "failures");
   const bool cheap = print_cost(costs);
   const bool uniform = print_uniformity(p_values);
-  nlohmann::json json{{"tests", outcomes_json(outcomes)}, {"cost", nlohmann::json::array()}};
-  for (const CostOutcome& c : costs) json["cost"].push_back({{"law", c.law}, {"draws_per_cv2", c.draws_per_cv2}});
+  nlohmann::json json{{"tests", outcomes}, {"cost", costs}};
   for (const UniformityOutcome& o : p_values) {
     json["p_values"].push_back(
         {{"name", o.name}, {"entries", o.p_values}, {"least", o.least}, {"uniform", o.uniform}});
@@ -109,37 +107,26 @@ int calibration(const TesterOptions& options) {
 }
 
 int power(const TesterOptions& options) {
-  if (!options.json.empty()) AtomicFile::check_writable(options.json);
   const TesterAudit audit = options.audit();
   const auto outcomes = audit_power(audit, progress_bar("power"));
   std::printf("draws off by the margin, 0.1, up and down; a miss is any verdict but biased\n");
   print_outcomes(outcomes, "misses");
-  return conclude(options, audit, {{"tests", outcomes_json(outcomes)}, {"cost", nlohmann::json::array()}},
-                  all_passed(outcomes));
+  return conclude(options, audit, {{"tests", outcomes}, {"cost", nlohmann::json::array()}}, all_passed(outcomes));
 }
 
 int ledger(const TesterOptions& options) {
-  if (!options.json.empty()) AtomicFile::check_writable(options.json);
   const TesterAudit audit = options.audit();
   const auto outcomes = audit_ledger(audit, progress_bar("ledger"));
   std::printf("ledgers of 100 runs at the margin 0.05, level 1e-8, miss rate 0.01\n");
   std::printf("%18s %10s %12s %14s %10s %14s %8s\n", "bias, of a margin", "runs", "certified", "biased alone",
               "ledgers", "biased ledgers", "finer");
-  nlohmann::json json{{"ledgers", nlohmann::json::array()}};
   bool passed = true;
   for (const LedgerOutcome& o : outcomes) {
     passed = passed && o.passed();
     std::printf("%18.3f %10d %12d %14d %10d %14d %8.1f%s\n", o.bias, o.runs, o.runs_certified, o.runs_biased,
                 o.ledgers, o.ledgers_biased, o.median_finer, o.passed() ? "" : "  <- wrong");
-    json["ledgers"].push_back({{"bias", o.bias},
-                               {"runs", o.runs},
-                               {"runs_certified", o.runs_certified},
-                               {"runs_biased", o.runs_biased},
-                               {"ledgers", o.ledgers},
-                               {"ledgers_biased", o.ledgers_biased},
-                               {"median_finer", o.median_finer}});
   }
-  return conclude(options, audit, json, passed);
+  return conclude(options, audit, {{"ledgers", outcomes}}, passed);
 }
 
 void add_tester_command(CLI::App& audit, Command& command, const std::string& name, const std::string& help,
