@@ -11,8 +11,8 @@ Film contact_sheet(int size, std::uint64_t samples, std::uint64_t seed, int thre
     RenderSettings settings;
     settings.scene = names[static_cast<std::size_t>(i)];
     settings.width = settings.height = size;
-    settings.direct = "mis";
-    settings.which_light = "contribution";
+    settings.direct = DirectLighting::mis;
+    settings.which_light = WhichLight::contribution;
     Film film(size, size);
     render_image(view_of(settings), settings, seed, {0, samples}, threads, film, [&](double part) {
       if (progress) progress((i + part) / scenes);

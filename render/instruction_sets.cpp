@@ -71,11 +71,10 @@ const InstructionSet& choose_instructions(const std::string& name, const std::ve
   return *widest;
 }
 
-std::unique_ptr<TileRenderer> tile_renderer(const std::string& real, const InstructionSet& instructions,
+std::unique_ptr<TileRenderer> tile_renderer(Arithmetic real, const InstructionSet& instructions,
                                             const TileSettings& settings) {
-  if (real == "double") return std::unique_ptr<TileRenderer>(make_renderer<double>(settings));
-  if (real == "packet") return std::unique_ptr<TileRenderer>(instructions.make(settings));
-  throw std::invalid_argument("there is no arithmetic \"" + real + "\" (see fairlight render --help)");
+  return std::unique_ptr<TileRenderer>(real == Arithmetic::packets ? instructions.make(settings)
+                                                                   : make_renderer<double>(settings));
 }
 
 }  // namespace fairlight

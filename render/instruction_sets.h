@@ -26,9 +26,8 @@ const std::vector<InstructionSet>& instruction_sets();
 const InstructionSet& choose_instructions(const std::string& name,
                                           const std::vector<InstructionSet>& sets = instruction_sets());
 
-/// A tile renderer in the arithmetic `real`: "packet", with these instructions, or "double". Throws
-/// std::invalid_argument for another name.
-std::unique_ptr<TileRenderer> tile_renderer(const std::string& real, const InstructionSet& instructions,
+/// A tile renderer in this arithmetic; packets have these instructions.
+std::unique_ptr<TileRenderer> tile_renderer(Arithmetic real, const InstructionSet& instructions,
                                             const TileSettings& settings);
 
 }  // namespace fairlight

@@ -86,12 +86,16 @@ std::vector<std::string> nearest_names(const std::string& word, const std::vecto
   return nearest;
 }
 
+std::string alternatives(const std::vector<std::string>& names) {
+  std::string list = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) list += (i + 1 < names.size() ? ", " : " or ") + names[i];
+  return list;
+}
+
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const std::string& all) {
   const std::vector<std::string> nearest = nearest_names(word, names);
   if (nearest.empty()) return "(see " + all + ")";
-  std::string list = nearest.front();
-  for (std::size_t i = 1; i < nearest.size(); ++i) list += (i + 1 < nearest.size() ? ", " : " or ") + nearest[i];
-  return "(did you mean " + list + "? see " + all + ")";
+  return "(did you mean " + alternatives(nearest) + "? see " + all + ")";
 }
 
 }  // namespace fairlight

@@ -18,6 +18,9 @@ std::size_t edits_to_beginning(const std::string& word, const std::string& name)
 /// the nearest, or more edits than a third of the word's letters.
 std::vector<std::string> nearest_names(const std::string& word, const std::vector<std::string>& names);
 
+/// "A", "A or B", "A, B or C".
+std::string alternatives(const std::vector<std::string>& names);
+
 /// A hint for an unknown name: "(did you mean A or B? see `all`)", where `all` is the command that
 /// lists all names. When no name is near, only the part on `all`.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names, const std::string& all);

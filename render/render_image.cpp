@@ -4,6 +4,7 @@
 #include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/parallel.h>
 #include <fairlight/render/render_image.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -74,7 +75,7 @@ RenderCost render_image(const View& view, const RenderSettings& settings, std::u
   check_finite(settings);
   const Strategies strategies(settings, view.scene);
   check_camera(view, strategies, film);
-  if (settings.real == "packet") {
+  if (settings.real == Arithmetic::packets) {
     require_floats(view.scene);
     view.camera.require_rays<float>();
   } else {
@@ -82,7 +83,8 @@ RenderCost render_image(const View& view, const RenderSettings& settings, std::u
   }
   check_whole_sets(settings, range.first);
   check_whole_sets(settings, range.last);
-  const TileSettings tiled{view.scene,   view.camera,  strategies, StreamKey(seed, "render " + settings.random),
+  const TileSettings tiled{view.scene,   view.camera,
+                           strategies,   StreamKey(seed, formatted("render %s", name_of(settings.random))),
                            film.width(), film.height()};
   const auto renderer = tile_renderer(settings.real, choose_instructions(instructions), tiled);
   const std::vector<Tile> units = tiles(film.width(), film.height());

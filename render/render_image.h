@@ -31,7 +31,7 @@ struct RenderCost {
 /// each other, one draw of the film is the mean of a set. A sample is a function of (seed, pixel,
 /// sample number), so the film does not depend on the threads or on how a range is split. Packets
 /// use the named `instructions`, or the widest that the machine has: see choose_instructions.
-/// Throws std::invalid_argument for an unknown strategy, a path that might not end, a scene outside
+/// Throws as Strategies does; std::invalid_argument for a path that might not end, a scene outside
 /// the range of floats in packets, and parts of sets; std::domain_error for an invalid radiance.
 RenderCost render_image(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                         int threads, Film& film, const Progress& progress, const std::string& instructions = "");

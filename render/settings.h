@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fairlight/render/strategy_table.h>
+
 namespace fairlight {
 
 /// What a picture estimates, and by which strategies. Two renders can be merged if their settings
@@ -16,29 +18,29 @@ struct RenderSettings {
   std::string scene = "cornell-simple";
   int width = 256;
   int height = 256;
-  std::string real = "packet";          ///< packet | double
-  std::string bounce = "cosine";        ///< cosine | uniform
-  std::string direct = "light";         ///< light | none | mis
-  std::string light_sampling = "area";  ///< area | visible | cone | solid-angle
-  std::string which_light = "one";      ///< all | one | power | contribution
-  std::string roulette = "albedo";      ///< albedo | throughput | off
-  int roulette_depth = -1;              ///< first bounce for roulette, from 1; -1 for its default
-  std::string filter = "tent";          ///< tent | box | gaussian | blackman-harris
-  std::string random = "independent";   ///< independent | sobol | stratified
-  std::uint32_t points = 1;             ///< points of a set, whose mean is one draw of the film
-  int max_depth = -1;                   ///< maximum bounces; -1 for no limit
-  double aperture = -1;                 ///< lens radius [m], 0: pinhole; negative: the scene's
-  double focus = -1;                    ///< distance in focus [m]; negative: the scene's
-  double fov = -1;                      ///< vertical field of view [degrees]; negative: the scene's
+  Arithmetic real = Arithmetic::packets;
+  BounceSampling bounce = BounceSampling::cosine;
+  DirectLighting direct = DirectLighting::light;
+  LightPoints light_sampling = LightPoints::area;
+  WhichLight which_light = WhichLight::one;
+  RouletteKind roulette = RouletteKind::albedo;
+  int roulette_depth = -1;  ///< first bounce for roulette, from 1; -1 for its default
+  PixelFilter filter = PixelFilter::tent;
+  RandomNumbers random = RandomNumbers::independent;
+  std::uint32_t points = 1;  ///< points of a set, whose mean is one draw of the film
+  int max_depth = -1;        ///< maximum bounces; -1 for no limit
+  double aperture = -1;      ///< lens radius [m], 0: pinhole; negative: the scene's
+  double focus = -1;         ///< distance in focus [m]; negative: the scene's
+  double fov = -1;           ///< vertical field of view [degrees]; negative: the scene's
 };
 
 /// Throws std::invalid_argument, with the setting's name, for a number that is not finite. A NaN
 /// would count neither as given nor as left to the scene.
 void check_finite(const RenderSettings& settings);
 
-/// A JSON object with every setting under its name. Both functions throw std::invalid_argument with
-/// the setting's name: to_json as check_finite does, from_json for a setting that is missing, null
-/// or of another type.
+/// A JSON object with every setting under its name, and strategies by theirs. Both functions throw
+/// std::invalid_argument with the setting's name: to_json as check_finite does, from_json for a
+/// setting that is missing, null or of another type, and for a strategy that does not exist.
 void to_json(nlohmann::json& json, const RenderSettings& settings);
 void from_json(const nlohmann::json& json, RenderSettings& settings);
 

@@ -2,25 +2,30 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include <fairlight/render/nearest_names.h>
 #include <fairlight/render/settings.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
 
 template <class Settings, class Visit>
 void for_each_setting(Settings& s, const Visit& visit) {
+  const auto strategy = [&]<class Strategy>(Strategy& value) {
+    visit(StrategyTable<std::remove_const_t<Strategy>>::setting, value);
+  };
   visit("scene", s.scene);
   visit("width", s.width);
   visit("height", s.height);
-  visit("real", s.real);
-  visit("bounce", s.bounce);
-  visit("direct", s.direct);
-  visit("light_sampling", s.light_sampling);
-  visit("which_light", s.which_light);
-  visit("roulette", s.roulette);
+  strategy(s.real);
+  strategy(s.bounce);
+  strategy(s.direct);
+  strategy(s.light_sampling);
+  strategy(s.which_light);
+  strategy(s.roulette);
   visit("roulette_depth", s.roulette_depth);
-  visit("filter", s.filter);
-  visit("random", s.random);
+  strategy(s.filter);
+  strategy(s.random);
   visit("points", s.points);
   visit("max_depth", s.max_depth);
   visit("aperture", s.aperture);
@@ -50,6 +55,38 @@ constexpr const char* kind = std::is_floating_point_v<Value> ? "a number"
                              : std::is_integral_v<Value>     ? "a whole number"
                                                              : "text";
 
+// A strategy is stored as its name, all other values as they are.
+template <class Value>
+nlohmann::json stored(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return name_of(value);
+  else
+    return value;
+}
+
+// Throws std::invalid_argument unless the JSON is a value of this type.
+template <class Value>
+void read(const char* name, const nlohmann::json& json, Value& value) {
+  using Stored = std::conditional_t<std::is_enum_v<Value>, std::string, Value>;
+  const bool is_held = holds<Stored>(json) && nlohmann::json(json.get<Stored>()) == json;
+  if (!is_held) {
+    throw std::invalid_argument(
+        formatted("the setting \"%s\" is %s (it must be %s)", name, json.dump().c_str(), kind<Stored>));
+  }
+  if constexpr (std::is_enum_v<Value>) {
+    const auto word = json.get<std::string>();
+    const StrategyRow<Value>* row = find_strategy<Value>(word);
+    if (row == nullptr) {
+      const std::string hint = did_you_mean(word, strategy_names<Value>(), "fairlight render --help");
+      throw std::invalid_argument(
+          formatted("the setting \"%s\" is %s %s", name, json.dump().c_str(), hint.c_str()));
+    }
+    value = row->value;
+  } else {
+    json.get_to(value);
+  }
+}
+
 }  // namespace
 
 void check_finite(const RenderSettings& settings) {
@@ -58,19 +95,14 @@ void check_finite(const RenderSettings& settings) {
 
 void to_json(nlohmann::json& json, const RenderSettings& settings) {
   check_finite(settings);
-  for_each_setting(settings, [&](const char* name, const auto& value) { json[name] = value; });
+  for_each_setting(settings, [&](const char* name, const auto& value) { json[name] = stored(value); });
 }
 
 void from_json(const nlohmann::json& json, RenderSettings& settings) {
   for_each_setting(settings, [&](const char* name, auto& value) {
-    using Value = std::remove_reference_t<decltype(value)>;
     const auto found = json.find(name);
-    if (found == json.end()) throw std::invalid_argument(std::string("the setting \"") + name + "\" is missing");
-    const bool is_held = holds<Value>(*found) && nlohmann::json(found->get<Value>()) == *found;
-    if (!is_held)
-      throw std::invalid_argument(std::string("the setting \"") + name + "\" is " + found->dump() +
-                                  " (it must be " + kind<Value> + ")");
-    found->get_to(value);
+    if (found == json.end()) throw std::invalid_argument(formatted("the setting \"%s\" is missing", name));
+    read(name, *found, value);
   });
 }
 

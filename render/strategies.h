@@ -7,32 +7,25 @@
 #include <fairlight/estimators/padded_strata.h>
 #include <fairlight/render/path_tracer.h>
 #include <fairlight/render/settings.h>
+#include <fairlight/render/strategy_table.h>
 
 namespace fairlight {
 
 /// The strategies of a path, chosen at run time. Each choice selects a component of the kit by a
 /// branch that always goes the same way, which costs about a cycle of the hundreds per vertex.
 struct Strategies {
-  enum class Bounce { cosine, uniform };
-  enum class Direct { light, none, mis };
-  enum class LightSampling { area, visible, cone, solid_angle };
-  enum class WhichLight { all, one, power, contribution };
-  enum class Roulette { albedo, throughput, off };
-  enum class Filter { tent, box, gaussian, blackman_harris };
-  enum class Random { independent, sobol, stratified };
-
-  /// Throws std::invalid_argument for an unknown strategy, for one that the scene does not admit,
-  /// and for paths that might not end or whose variance is infinite.
+  /// Throws std::invalid_argument for a strategy that the scene does not admit, and for paths that
+  /// might not end or whose variance is infinite.
   Strategies(const RenderSettings& settings, const Scene& scene);
 
-  Bounce bounce;
-  Direct direct;
-  LightSampling light_sampling;
+  BounceSampling bounce;
+  DirectLighting direct;
+  LightPoints light_sampling;
   WhichLight which_light;
-  Roulette roulette;
+  RouletteKind roulette;
   int roulette_depth;  ///< the first bounce that roulette may end
-  Filter filter;
-  Random random;
+  PixelFilter filter;
+  RandomNumbers random;
   std::uint32_t points;
   int max_depth;
 };
@@ -53,9 +46,9 @@ struct ChosenDirections {
 struct ChosenBounces {
   template <class Real>
   ChosenDirections<Real> directions() const {
-    return {bounce == Strategies::Bounce::uniform};
+    return {bounce == BounceSampling::uniform};
   }
-  Strategies::Bounce bounce;
+  BounceSampling bounce;
 };
 
 /// Samples points of a luminaire.
@@ -71,18 +64,18 @@ struct ChosenPoints {
     return with([&](auto points) { return points.template pdf<Real>(lights, i, on_it, from, direction); });
   }
 
-  Strategies::LightSampling sampling;
+  LightPoints sampling;
 
  private:
   auto with(const auto& use) const {
     switch (sampling) {
-      case Strategies::LightSampling::visible:
+      case LightPoints::visible:
         return use(PointsBy<SphereByVisibleHemisphere>());
-      case Strategies::LightSampling::cone:
+      case LightPoints::cone:
         return use(PointsBy<SphereByCone>());
-      case Strategies::LightSampling::solid_angle:
+      case LightPoints::solid_angle:
         return use(PointsBy<SphereByArea, RectangleBySolidAngle>());
-      case Strategies::LightSampling::area:
+      case LightPoints::area:
         break;
     }
     return use(PointsBy<SphereByArea>());
@@ -103,18 +96,18 @@ class ChosenLuminaires {
 
  private:
   struct Seen {
-    Strategies::WhichLight which(int n) const { return n == 1 ? Strategies::WhichLight::all : chosen.which_; }
+    WhichLight which(int n) const { return n == 1 ? WhichLight::all : chosen.which_; }
 
     template <class>
     Real probability(int n, const Index<Real>& i) const {
       switch (which(n)) {
-        case Strategies::WhichLight::one:
+        case WhichLight::one:
           return UniformLightSampler::probability<Real>(n, i);
-        case Strategies::WhichLight::power:
+        case WhichLight::power:
           return chosen.by_power_.template probability<Real>(n, i);
-        case Strategies::WhichLight::contribution:
+        case WhichLight::contribution:
           return ContributionLightSampler::seen_from(lights, point).template probability<Real>(n, i);
-        case Strategies::WhichLight::all:
+        case WhichLight::all:
           break;
       }
       return AllLights::probability<Real>(n, i);
@@ -123,13 +116,13 @@ class ChosenLuminaires {
     template <class, class Source, class Term>
     auto sum(int n, Source& source, const Term& term) const {
       switch (which(n)) {
-        case Strategies::WhichLight::one:
+        case WhichLight::one:
           return UniformLightSampler::sum<Real>(n, source, term);
-        case Strategies::WhichLight::power:
+        case WhichLight::power:
           return chosen.by_power_.template sum<Real>(n, source, term);
-        case Strategies::WhichLight::contribution:
+        case WhichLight::contribution:
           return ContributionLightSampler::seen_from(lights, point).template sum<Real>(n, source, term);
-        case Strategies::WhichLight::all:
+        case WhichLight::all:
           break;
       }
       return AllLights::sum<Real>(n, source, term);
@@ -139,19 +132,19 @@ class ChosenLuminaires {
     Vec3<Real> point;
   };
 
-  Strategies::WhichLight which_;
+  WhichLight which_;
   LightSampler<PowerChoice<Real>> by_power_;
 };
 
 /// The weights of shadow rays and bounces.
 struct ChosenSharing {
-  bool next_event_only() const { return direct == Strategies::Direct::light; }
+  bool next_event_only() const { return direct == DirectLighting::light; }
   template <class Real>
   Real weight(const std::array<Real, 2>& n, const std::array<Density<SolidAngle, Real>, 2>& p,
               std::size_t i) const {
     return next_event_only() ? NextEventOnly::weight(n, p, i) : BalanceHeuristic::weight(n, p, i);
   }
-  Strategies::Direct direct;
+  DirectLighting direct;
 };
 
 /// Direct light by shadow rays, or none.
@@ -160,7 +153,7 @@ class ChosenDirect {
  public:
   ChosenDirect(const Strategies& strategies, const Scene& scene)
       : direct_(ChosenLuminaires<Real>(strategies, scene), {strategies.light_sampling}, {strategies.direct}),
-        none_(strategies.direct == Strategies::Direct::none) {}
+        none_(strategies.direct == DirectLighting::none) {}
 
   Real emission_weight(const auto& scene, const Ray<Real>& ray, const Real& surface, const Real& density) const {
     return none_ ? Real(1) : direct_.emission_weight(scene, ray, surface, density);
@@ -184,16 +177,16 @@ struct ChosenRouletteKind {
   Survival<Real> play(const Rgb<Real>& albedo, const Rgb<Real>& throughput, const Real& depth,
                       Source& source) const {
     switch (kind) {
-      case Strategies::Roulette::throughput:
+      case RouletteKind::throughput:
         return RouletteByThroughput<>::play<Real>(albedo, throughput, depth, source);
-      case Strategies::Roulette::off:
+      case RouletteKind::off:
         return NoRoulette::play<Real>(albedo, throughput, depth, source);
-      case Strategies::Roulette::albedo:
+      case RouletteKind::albedo:
         break;
     }
     return RouletteByReflectance<>::play<Real>(albedo, throughput, depth, source);
   }
-  Strategies::Roulette kind;
+  RouletteKind kind;
 };
 
 using ChosenRoulette = RouletteFromBounce<ChosenRouletteKind>;
@@ -207,24 +200,24 @@ template <class Real>
 class ChosenFilter {
  public:
   using Scalar = Real;
-  explicit ChosenFilter(Strategies::Filter filter) : filter_(filter) {}
+  explicit ChosenFilter(PixelFilter filter) : filter_(filter) {}
 
   Vec2<Real> sample(const Vec2<Real>& u) const {
     switch (filter_) {
-      case Strategies::Filter::box:
+      case PixelFilter::box:
         return box_.sample(u);
-      case Strategies::Filter::gaussian:
+      case PixelFilter::gaussian:
         return gaussian_.sample(u);
-      case Strategies::Filter::blackman_harris:
+      case PixelFilter::blackman_harris:
         return blackman_harris_.sample(u);
-      case Strategies::Filter::tent:
+      case PixelFilter::tent:
         break;
     }
     return TentFilter<Real>().sample(u);
   }
 
  private:
-  Strategies::Filter filter_;
+  PixelFilter filter_;
   BoxFilter<Real> box_;
   GaussianFilter<Real> gaussian_{Real(0.5f), Real(1.5f)};
   BlackmanHarrisFilter<Real> blackman_harris_{Real(2)};
@@ -241,7 +234,7 @@ class ChosenNumbers {
 
   template <class Real>
   SampleBlock<Real> block(const PathVertex<Real>& at, std::uint32_t b, BlockPart part) const {
-    if (random_ == Strategies::Random::independent) [[likely]]
+    if (random_ == RandomNumbers::independent) [[likely]]
       return independent_.block(at, b, part);
     return block_of_set(at, b, part);
   }
@@ -251,10 +244,10 @@ class ChosenNumbers {
   template <class Real>
   [[gnu::noinline, gnu::flatten]] SampleBlock<Real> block_of_set(const PathVertex<Real>& at, std::uint32_t b,
                                                                  BlockPart part) const {
-    return random_ == Strategies::Random::sobol ? sobol_.block(at, b, part) : strata_.block(at, b, part);
+    return random_ == RandomNumbers::sobol ? sobol_.block(at, b, part) : strata_.block(at, b, part);
   }
 
-  Strategies::Random random_;
+  RandomNumbers random_;
   IndependentNumbers independent_;
   PaddedSobol sobol_;
   PaddedStrata strata_;

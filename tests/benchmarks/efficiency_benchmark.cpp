@@ -10,6 +10,7 @@
 
 #include <fairlight/render/geometry.h>
 #include <fairlight/render/render_image.h>
+#include <fairlight/stats/text.h>
 
 namespace {
 
@@ -66,18 +67,21 @@ void efficiency(benchmark::State& state, const RenderSettings& settings) {
 }
 
 struct Choice {
-  const char *light_sampling, *direct, *random;
+  LightPoints light_sampling;
+  DirectLighting direct = DirectLighting::light;
+  RandomNumbers random = RandomNumbers::independent;
 };
 
 void add(const Choice& choice) {
   RenderSettings settings;
   settings.width = settings.height = size;
-  settings.roulette = "throughput";
+  settings.roulette = RouletteKind::throughput;
   settings.light_sampling = choice.light_sampling;
   settings.direct = choice.direct;
   settings.random = choice.random;
-  settings.points = settings.random == "independent" ? 1 : samples;
-  const std::string name = std::string(choice.light_sampling) + "/" + choice.direct + "/" + choice.random;
+  settings.points = settings.random == RandomNumbers::independent ? 1 : samples;
+  const std::string name =
+      formatted("%s/%s/%s", name_of(choice.light_sampling), name_of(choice.direct), name_of(choice.random));
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { efficiency(state, settings); })
       ->Unit(benchmark::kMillisecond)
       ->Repetitions(5)
@@ -87,10 +91,11 @@ void add(const Choice& choice) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const Choice& choice :
-       {Choice{"area", "light", "independent"}, Choice{"visible", "light", "independent"},
-        Choice{"cone", "light", "independent"}, Choice{"cone", "mis", "independent"},
-        Choice{"cone", "light", "stratified"}, Choice{"cone", "light", "sobol"}, Choice{"cone", "mis", "sobol"}})
+  for (const Choice& choice : {Choice{LightPoints::area}, Choice{LightPoints::visible}, Choice{LightPoints::cone},
+                               Choice{LightPoints::cone, DirectLighting::mis},
+                               Choice{LightPoints::cone, DirectLighting::light, RandomNumbers::stratified},
+                               Choice{LightPoints::cone, DirectLighting::light, RandomNumbers::sobol},
+                               Choice{LightPoints::cone, DirectLighting::mis, RandomNumbers::sobol}})
     add(choice);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

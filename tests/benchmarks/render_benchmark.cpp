@@ -18,7 +18,7 @@ using namespace fairlight;
 void render(benchmark::State& state, RenderSettings settings, const std::string& instructions) {
   const View view = built_in_scene(settings.scene);
   // So many that the film costs little of it; the thousand lights take a hundred times as long.
-  const std::uint64_t samples = settings.real == "double" || settings.scene == "many-lights" ? 2 : 64;
+  const std::uint64_t samples = settings.real == Arithmetic::doubles || settings.scene == "many-lights" ? 2 : 64;
   double paths = 0, rays = 0;
   for (auto _ : state) {
     Film film(settings.width, settings.height);
@@ -33,7 +33,7 @@ void render(benchmark::State& state, RenderSettings settings, const std::string&
 void add_scene(const std::string& scene) {
   RenderSettings settings;
   settings.scene = scene;
-  settings.roulette = "throughput";
+  settings.roulette = RouletteKind::throughput;
   settings.roulette_depth = 3;
   const auto add = [&](const std::string& name, const std::string& instructions) {
     benchmark::RegisterBenchmark((scene + "/" + name).c_str(),
@@ -42,9 +42,9 @@ void add_scene(const std::string& scene) {
         ->Repetitions(5)
         ->ReportAggregatesOnly();
   };
-  settings.real = "double";
-  add("double", "");
-  settings.real = "packet";
+  settings.real = Arithmetic::doubles;
+  add(name_of(settings.real), "");
+  settings.real = Arithmetic::packets;
   for (const InstructionSet& set : instruction_sets()) {
     if (set.runs_here) add(set.name, set.name);
   }

@@ -152,7 +152,7 @@ TEST_F(SavedAgainTest, IsRefusedWithAnyBitOfTheSumsChanged) {
 
 TEST_F(SavedAgainTest, IsRefusedWithOtherSettingsOrSamples) {
   RenderSettings other = small_picture().settings;
-  other.bounce = "uniform";
+  other.bounce = BounceSampling::uniform;
   const std::vector<std::pair<const char*, std::string>> changes{
       {"fairlight.settings", nlohmann::json(other).dump()},
       {"fairlight.scene", "cornell-original"},

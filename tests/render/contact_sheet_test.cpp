@@ -12,8 +12,8 @@ constexpr std::uint64_t samples = 4, seed = 3;
 Film picture_of(const std::string& scene) {
   RenderSettings settings;
   settings.scene = scene;
-  settings.direct = "mis";
-  settings.which_light = "contribution";
+  settings.direct = DirectLighting::mis;
+  settings.which_light = WhichLight::contribution;
   Film film(size, size);
   render_image(view_of(settings), settings, seed, {0, samples}, 2, film, {});
   return film;

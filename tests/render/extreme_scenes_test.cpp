@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -7,6 +8,7 @@
 
 #include <fairlight/render/instruction_sets.h>
 #include <fairlight/render/render_image.h>
+#include <fairlight/stats/text.h>
 
 // Scenes at the edge of what there is: a camera inside a sphere, numbers that doubles or floats hardly hold. What every path must
 // find is known in each, so nothing here is left to chance.
@@ -20,16 +22,19 @@ const Rgb<double> lit(1, 2, 4);
 const Material glass(Material::Kind::glass, white, 1.5);
 
 // Every arithmetic of this machine.
-struct Arithmetic {
-  std::string real, instructions;
+struct Compiled {
+  Arithmetic real;
+  std::string instructions;
 };
-std::vector<Arithmetic> arithmetics() {
-  std::vector<Arithmetic> all{{"double", ""}};
+std::vector<Compiled> arithmetics() {
+  std::vector<Compiled> all{{Arithmetic::doubles, ""}};
   for (const InstructionSet& set : instruction_sets()) {
-    if (set.runs_here) all.push_back({"packet", set.name});
+    if (set.runs_here) all.push_back({Arithmetic::packets, set.name});
   }
   return all;
 }
+
+constexpr std::array every_direct{DirectLighting::light, DirectLighting::none, DirectLighting::mis};
 
 RenderSettings small() {
   RenderSettings settings;
@@ -38,8 +43,7 @@ RenderSettings small() {
   return settings;
 }
 
-Film render(const Scene& scene, const CameraSettings& camera, RenderSettings settings,
-            const Arithmetic& arithmetic) {
+Film render(const Scene& scene, const CameraSettings& camera, RenderSettings settings, const Compiled& arithmetic) {
   settings.real = arithmetic.real;
   Film film(settings.width, settings.height);
   render_image({"", scene, Camera(camera)}, settings, 5, {0, 4}, 2, film, {}, arithmetic.instructions);
@@ -57,7 +61,7 @@ void expect_everywhere(const Film& film, const Rgb<double>& expected, double rou
 }
 
 void expect_refusal(const Scene& scene, const CameraSettings& camera, const RenderSettings& settings,
-                    const Arithmetic& arithmetic, const std::string& says) {
+                    const Compiled& arithmetic, const std::string& says) {
   try {
     render(scene, camera, settings, arithmetic);
     FAIL() << "not refused: " << says;
@@ -68,17 +72,17 @@ void expect_refusal(const Scene& scene, const CameraSettings& camera, const Rend
 
 // From wherever inside a black sphere that emits Le all that is seen is Le, to the bit.
 TEST(ExtremeScenes, InsideABlackSphereAllIsItsEmission) {
-  for (const Arithmetic& arithmetic : arithmetics()) {
+  for (const Compiled& arithmetic : arithmetics()) {
     for (const double radius :
-         arithmetic.real == "double" ? std::vector{1e-50, 1.0, 1e50} : std::vector{1e-8, 1.0, 1e8}) {
+         arithmetic.real == Arithmetic::doubles ? std::vector{1e-50, 1.0, 1e50} : std::vector{1e-8, 1.0, 1e8}) {
       for (const double away : {0.0, 0.5, 0.999}) {
         Scene scene;
         scene.add_sphere({0, 0, 0}, radius, black, lit);
-        for (const char* direct : {"light", "none", "mis"}) {
+        for (const DirectLighting direct : every_direct) {
           RenderSettings settings = small();
           settings.direct = direct;
           const Film film = render(scene, {.eye = {away * radius, 0, 0}}, settings, arithmetic);
-          expect_everywhere(film, lit, 0, arithmetic.real + " " + std::to_string(away) + direct);
+          expect_everywhere(film, lit, 0, formatted("%s %g %s", name_of(arithmetic.real), away, name_of(direct)));
         }
       }
     }
@@ -90,14 +94,15 @@ TEST(ExtremeScenes, InsideABlackSphereAllIsItsEmission) {
 TEST(ExtremeScenes, InsideADiffuseSphereEveryPathIsTheSumOfItsTerms) {
   Scene scene;
   scene.add_sphere({3, 4, 5}, 2, half, lit);
-  for (const Arithmetic& arithmetic : arithmetics()) {
-    for (const char* direct : {"light", "none"}) {
+  for (const Compiled& arithmetic : arithmetics()) {
+    for (const DirectLighting direct : {DirectLighting::light, DirectLighting::none}) {
       RenderSettings settings = small();
       settings.direct = direct;
-      settings.roulette = "off";
+      settings.roulette = RouletteKind::off;
       settings.max_depth = 3;
       const Film film = render(scene, {.eye = {3, 5.9, 5}}, settings, arithmetic);
-      expect_everywhere(film, lit * 1.875, arithmetic.real == "double" ? 1e-14 : 1e-6, arithmetic.real + direct);
+      expect_everywhere(film, lit * 1.875, arithmetic.real == Arithmetic::doubles ? 1e-14 : 1e-6,
+                        formatted("%s %s", name_of(arithmetic.real), name_of(direct)));
     }
   }
 }
@@ -108,20 +113,20 @@ TEST(ExtremeScenes, InsideGlassRadianceIsDenser) {
   Scene scene;
   scene.add_sphere({0, 0, 0}, 10, black, lit);
   scene.add_sphere({1, 0, 0}, 2, glass, black);
-  for (const Arithmetic& arithmetic : arithmetics()) {
-    for (const char* direct : {"light", "none", "mis"}) {
+  for (const Compiled& arithmetic : arithmetics()) {
+    for (const DirectLighting direct : every_direct) {
       RenderSettings settings = small();
       settings.direct = direct;
       settings.max_depth = 1000;
       const Film film = render(scene, {.eye = {1, 1, 0}}, settings, arithmetic);
-      expect_everywhere(film, lit * 2.25, 1e-6, arithmetic.real + direct);
+      expect_everywhere(film, lit * 2.25, 1e-6, formatted("%s %s", name_of(arithmetic.real), name_of(direct)));
     }
   }
 }
 
 TEST(ExtremeScenes, AreRefusedWhereAPathFromTheCameraNeedNotEnd) {
   const std::string says = "--max-depth";
-  for (const Arithmetic& arithmetic : arithmetics()) {
+  for (const Compiled& arithmetic : arithmetics()) {
     Scene in_glass;
     in_glass.add_sphere({0, 0, 0}, 10, black, lit);
     in_glass.add_sphere({1, 0, 0}, 2, glass, black);
@@ -144,7 +149,7 @@ TEST(ExtremeScenes, AreRefusedWhereSomeRaysStartInGlass) {
     scene.add_sphere(centre, radius, glass, black);
     return scene;
   };
-  for (const Arithmetic& arithmetic : arithmetics()) {
+  for (const Compiled& arithmetic : arithmetics()) {
     const std::string says = "--max-depth";
     expect_refusal(glass_at({0, 0, -5}, 1), {.start = 5}, small(), arithmetic, says);
     expect_refusal(glass_at({2.5, 0, 0}, 1), {.aperture_radius = 2}, small(), arithmetic, says);
@@ -160,12 +165,12 @@ TEST(ExtremeScenes, ThroughCamerasThatTheArithmeticDoesNotHoldAreRefused) {
   Scene scene;
   scene.add_sphere({0, 0, 0}, 1, half, lit);
   const auto expect_refused_by = [&](const CameraSettings& camera, bool in_double) {
-    for (const Arithmetic& arithmetic : arithmetics()) {
-      if (arithmetic.real == "double" && !in_double)
+    for (const Compiled& arithmetic : arithmetics()) {
+      if (arithmetic.real == Arithmetic::doubles && !in_double)
         EXPECT_NO_THROW(render(scene, camera, small(), arithmetic));
       else
         expect_refusal(scene, camera, small(), arithmetic,
-                       arithmetic.real == "double" ? "1e-150" : "--real double");
+                       arithmetic.real == Arithmetic::doubles ? "1e-150" : "--real double");
     }
   };
   expect_refused_by({.image_height = 1e-40}, false);
@@ -191,8 +196,8 @@ const CameraSettings above_the_floor{.eye = {0, 1, 5}, .look = {0, -1, -5}};
 // A float at 100 is known to 4e-6.
 TEST(ExtremeScenes, OfLightsThatFloatsCannotPlaceAreRefusedInPackets) {
   const auto expect_packets_refused = [](const Scene& scene, const std::string& says) {
-    for (const Arithmetic& arithmetic : arithmetics()) {
-      if (arithmetic.real == "double") {
+    for (const Compiled& arithmetic : arithmetics()) {
+      if (arithmetic.real == Arithmetic::doubles) {
         EXPECT_NO_THROW(render(scene, above_the_floor, small(), arithmetic));
       } else {
         expect_refusal(scene, above_the_floor, small(), arithmetic, says);
@@ -212,10 +217,11 @@ TEST(ExtremeScenes, OfLightsThatFloatsCannotPlaceAreRefusedInPackets) {
 // What is darker than the steps in which the film counts is black, and no number is missing.
 TEST(ExtremeScenes, OfDenormalRadiancesAreBlack) {
   for (const double radiance : {1e-300, 1e-310, std::numeric_limits<double>::denorm_min()}) {
-    for (const char* which : {"all", "one", "power", "contribution"}) {
+    for (const auto& row : StrategyTable<WhichLight>::rows) {
       RenderSettings settings = small();
-      settings.which_light = which;
-      const Film film = render(floor_under(1, 5, radiance * white), above_the_floor, settings, {"double", ""});
+      settings.which_light = row.value;
+      const Film film =
+          render(floor_under(1, 5, radiance * white), above_the_floor, settings, {Arithmetic::doubles, ""});
       EXPECT_TRUE((film.mean(0, 0) == 0).all()) << radiance;
     }
   }

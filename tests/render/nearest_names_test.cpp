@@ -45,6 +45,12 @@ RC_GTEST_PROP(EditsToBeginning, IsAtMostOneAfterOneEdit,
   RC_ASSERT(edits_to_beginning(front + letter + back, name) <= 1u);
 }
 
+TEST(Alternatives, AreListedWithAnOr) {
+  EXPECT_EQ(alternatives({"a"}), "a");
+  EXPECT_EQ(alternatives({"a", "b"}), "a or b");
+  EXPECT_EQ(alternatives({"a", "b", "c"}), "a, b or c");
+}
+
 TEST(NearestNames, AreTheNearestFirstAndNoneThatIsFar) {
   const std::vector<std::string> names{"ledger", "merge", "render", "scenes", "verify"};
   EXPECT_THAT(nearest_names("rendr", names), ElementsAre("render"));

@@ -58,7 +58,7 @@ TEST(Picture, RefusesToMergeTheSameSamplesOrOtherSettings) {
   Picture picture = small_picture();
   EXPECT_THROW(picture.merge(small_picture()), std::invalid_argument);
   Picture other = small_picture(2);
-  other.settings.bounce = "uniform";
+  other.settings.bounce = BounceSampling::uniform;
   EXPECT_THROW(picture.merge(other), std::invalid_argument);
 }
 

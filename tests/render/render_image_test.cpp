@@ -17,7 +17,7 @@ RenderSettings small() {
   return settings;
 }
 
-RenderSettings small(const std::string& random, std::uint32_t points) {
+RenderSettings small(RandomNumbers random, std::uint32_t points) {
   RenderSettings settings = small();
   settings.random = random;
   settings.points = points;
@@ -41,12 +41,12 @@ TEST(RenderImage, IsTheSameForAnyNumberOfThreads) {
   for (const InstructionSet& set : instruction_sets()) {
     if (set.runs_here) expect_same(settings, set.name);
   }
-  settings.real = "double";
+  settings.real = Arithmetic::doubles;
   expect_same(settings, "");
-  for (const char* random : {"sobol", "stratified"}) {
+  for (const RandomNumbers random : {RandomNumbers::sobol, RandomNumbers::stratified}) {
     settings = small(random, 4);
     expect_same(settings, "");
-    settings.real = "double";
+    settings.real = Arithmetic::doubles;
     expect_same(settings, "");
   }
 }
@@ -77,15 +77,15 @@ TEST(RenderImage, FollowsTheSamePathsByEveryInstructionSet) {
   const std::uint64_t seed = fresh_seed();
   const double level = 1e-6 / static_cast<double>(scene_names().size() * 3 * instruction_sets().size());
   for (const std::string& scene : scene_names()) {
-    for (const char* random : {"independent", "sobol", "stratified"}) {
-      RenderSettings settings = small(random, std::string(random) == "independent" ? 1 : 4);
+    for (const auto& numbers : StrategyTable<RandomNumbers>::rows) {
+      RenderSettings settings = small(numbers.value, numbers.value == RandomNumbers::independent ? 1 : 4);
       settings.scene = scene;
       for (const InstructionSet& set : instruction_sets()) {
         if (!set.runs_here) continue;
         const auto [pixels, rays] = parted(settings, set.name, seed);
         const boost::math::poisson expected(1e-4 * static_cast<double>(rays));
         EXPECT_LE(pixels, boost::math::quantile(boost::math::complement(expected, level)))
-            << scene << ", " << random << " by " << set.name << ", seed " << seed_text(seed);
+            << scene << ", " << numbers.name << " by " << set.name << ", seed " << seed_text(seed);
       }
     }
   }
@@ -108,7 +108,7 @@ TEST(RenderImage, CountsPathsAndRays) {
 
 // A set is a draw: its samples depend on each other.
 TEST(RenderImage, AddsTheMeansOfSets) {
-  for (const char* random : {"sobol", "stratified"}) {
+  for (const RandomNumbers random : {RandomNumbers::sobol, RandomNumbers::stratified}) {
     EXPECT_EQ(render(small(random, 8), {0, 24}, 2).at(5, 5)[0].count(), 3u);
     const Film set = render(small(random, 8), {0, 8}, 2);
     EXPECT_EQ(set.at(5, 5)[0].count(), 1u);
@@ -119,7 +119,7 @@ TEST(RenderImage, AddsTheMeansOfSets) {
 // Also sets that are larger than what is held at once otherwise, or do not divide it.
 TEST(RenderImage, IsTheSumOfWholeSetsForAnyNumberOfThreads) {
   for (const std::uint32_t points : {1u, 4u, 64u, 256u}) {
-    RenderSettings settings = small("sobol", points);
+    RenderSettings settings = small(RandomNumbers::sobol, points);
     settings.width = 17;
     settings.height = 3;
     Film parts = render(settings, {2 * points, 3 * points}, 7);
@@ -129,17 +129,17 @@ TEST(RenderImage, IsTheSumOfWholeSetsForAnyNumberOfThreads) {
 }
 
 TEST(RenderImage, RefusesPartsOfSets) {
-  EXPECT_THROW(render(small("sobol", 16), {0, 24}, 1), std::invalid_argument);
-  EXPECT_THROW(render(small("stratified", 16), {8, 24}, 1), std::invalid_argument);
-  EXPECT_THROW(render(small("sobol", 0), {0, 16}, 1), std::invalid_argument);
-  EXPECT_THROW(render(small("stratified", 12), {0, 12}, 1), std::invalid_argument);
-  EXPECT_THROW(render(small("independent", 16), {0, 16}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small(RandomNumbers::sobol, 16), {0, 24}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small(RandomNumbers::stratified, 16), {8, 24}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small(RandomNumbers::sobol, 0), {0, 16}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small(RandomNumbers::stratified, 12), {0, 12}, 1), std::invalid_argument);
+  EXPECT_THROW(render(small(RandomNumbers::independent, 16), {0, 16}, 1), std::invalid_argument);
 }
 
 // Roulette spares lanes for themselves: what a path draws afterwards does not hang on where the other lanes are.
 TEST(RenderImage, IsTheSumOfItsPartsWhereRouletteBeginsLater) {
   RenderSettings settings = small();
-  settings.direct = "none";
+  settings.direct = DirectLighting::none;
   settings.roulette_depth = 2;
   Film parts = render(settings, {1, 4}, 2);
   parts.merge(render(settings, {0, 1}, 2));
@@ -155,10 +155,10 @@ TEST(RenderImage, IsTheSumOfItsPartsAcrossWhatIsHeldAtOnce) {
 
 TEST(RenderImage, RunsEveryScene) {
   for (const std::string& scene : scene_names()) {
-    for (const char* real : {"packet", "double"}) {
+    for (const auto& real : StrategyTable<Arithmetic>::rows) {
       RenderSettings settings = small();
       settings.scene = scene;
-      settings.real = real;
+      settings.real = real.value;
       const Film film = render(settings, {0, 2}, 2);
       Rgb<double> sum(0, 0, 0);
       for (int x = 0; x < film.width(); ++x) sum += film.mean(x, film.height() / 2);
@@ -174,7 +174,7 @@ TEST(RenderImage, RunsOnOnePixel) {
 }
 
 TEST(RenderImage, RefusesByNameWhatASceneDoesNotAdmit) {
-  const auto expect_refusal = [](const std::string& scene, const std::string& sampling) {
+  const auto expect_refusal = [](const std::string& scene, LightPoints sampling) {
     RenderSettings settings = small();
     settings.scene = scene;
     settings.light_sampling = sampling;
@@ -182,12 +182,12 @@ TEST(RenderImage, RefusesByNameWhatASceneDoesNotAdmit) {
       render(settings, {0, 1}, 1);
       FAIL() << scene;
     } catch (const std::invalid_argument& error) {
-      EXPECT_NE(std::string(error.what()).find(sampling), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(name_of(sampling)), std::string::npos) << error.what();
     }
   };
-  expect_refusal("cornell-original", "cone");
-  expect_refusal("cornell-original", "visible");
-  expect_refusal("cornell-simple", "solid-angle");
+  expect_refusal("cornell-original", LightPoints::cone);
+  expect_refusal("cornell-original", LightPoints::visible);
+  expect_refusal("cornell-simple", LightPoints::solid_angle);
 }
 
 TEST(RenderImage, RefusesShadowRaysWhereThereAreNoLuminaires) {
@@ -195,7 +195,7 @@ TEST(RenderImage, RefusesShadowRaysWhereThereAreNoLuminaires) {
   Film film(4, 4);
   RenderSettings settings;
   EXPECT_THROW(render_image(dark, settings, 1, {0, 1}, 1, film, {}), std::invalid_argument);
-  settings.direct = "none";
+  settings.direct = DirectLighting::none;
   EXPECT_NO_THROW(render_image(dark, settings, 1, {0, 1}, 1, film, {}));
 }
 
@@ -215,25 +215,14 @@ TEST(ViewOf, TakesTheLensThatIsAskedFor) {
 
 TEST(RenderImage, RefusesPathsThatMightNotEnd) {
   RenderSettings settings = small();
-  settings.roulette = "off";
+  settings.roulette = RouletteKind::off;
   EXPECT_THROW(render(settings, {0, 1}, 1), std::invalid_argument);
 }
 
 TEST(RenderImage, RefusesUniformBouncesWithoutADepthSinceTheirVarianceIsInfinite) {
   RenderSettings settings = small();
-  settings.bounce = "uniform";
+  settings.bounce = BounceSampling::uniform;
   EXPECT_THROW(render(settings, {0, 1}, 1), std::invalid_argument);
-}
-
-TEST(RenderImage, RefusesStrategiesThatDoNotExist) {
-  for (std::string RenderSettings::*strategy :
-       {&RenderSettings::real, &RenderSettings::bounce, &RenderSettings::direct, &RenderSettings::light_sampling,
-        &RenderSettings::which_light, &RenderSettings::roulette, &RenderSettings::filter,
-        &RenderSettings::random}) {
-    RenderSettings settings = small();
-    settings.*strategy = "sideways";
-    EXPECT_THROW(render(settings, {0, 1}, 1), std::invalid_argument);
-  }
 }
 
 }  // namespace

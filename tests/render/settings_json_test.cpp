@@ -68,6 +68,43 @@ TEST(RenderSettings, AreTheSameThroughJson) {
   EXPECT_EQ(nlohmann::json(back), json);
 }
 
+// Files of earlier versions have these texts, and a resumed render compares them.
+TEST(RenderSettings, HaveTheTextsThatFilesHave) {
+  EXPECT_EQ(nlohmann::json(RenderSettings()).dump(),
+            R"({"aperture":-1.0,"bounce":"cosine","direct":"light","filter":"tent","focus":-1.0,"fov":-1.0,)"
+            R"("height":256,"light_sampling":"area","max_depth":-1,"points":1,"random":"independent",)"
+            R"("real":"packet","roulette":"albedo","roulette_depth":-1,"scene":"cornell-simple",)"
+            R"("which_light":"one","width":256})");
+}
+
+TEST(RenderSettings, KeepEveryStrategyThroughJson) {
+  const nlohmann::json usual = RenderSettings();
+  for_each_strategy_kind([&](const auto& table) {
+    for (const auto& row : table.rows) {
+      nlohmann::json json = usual;
+      json[table.setting] = row.name;
+      EXPECT_EQ(nlohmann::json(json.get<RenderSettings>()), json) << table.setting << " " << row.name;
+    }
+  });
+}
+
+TEST(RenderSettings, RefuseAStrategyThatDoesNotExistByItsNameAndTheNearest) {
+  const auto refused = [](const char* setting, const char* value) {
+    nlohmann::json json = RenderSettings();
+    json[setting] = value;
+    return refusal([&] { (void)json.get<RenderSettings>(); });
+  };
+  EXPECT_EQ(refused("bounce", "uniforn"),
+            "the setting \"bounce\" is \"uniforn\" (did you mean uniform? see fairlight render --help)");
+  EXPECT_EQ(refused("light_sampling", "solid_angle"),
+            "the setting \"light_sampling\" is \"solid_angle\" (did you mean solid-angle? see fairlight render "
+            "--help)");
+  for_each_strategy_kind([&](const auto& table) {
+    for (const char* value : {"sideways", ""})
+      EXPECT_THAT(refused(table.setting, value), HasSubstr(formatted("\"%s\" is \"%s\"", table.setting, value)));
+  });
+}
+
 TEST(RenderSettings, AreRefusedByNameWhereOneIsMissingOrOfAnotherKind) {
   const nlohmann::json good = RenderSettings();
   for (const auto& [name, value] : good.items()) {

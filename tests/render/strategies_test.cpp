@@ -55,7 +55,7 @@ TEST(Sharing, KnowsHowALightIsChosen) {
 
 // Of paths that carry 1/2 to a surface that reflects half, all make the bounces before it, and none the bounce itself at 0.9.
 TEST(ChosenRoulette, BeginsAtTheBounceThatIsAskedForOrItsOwn) {
-  const auto first_refused = [](const std::string& kind, int asked) {
+  const auto first_refused = [](RouletteKind kind, int asked) {
     RenderSettings settings;
     settings.roulette = kind;
     settings.roulette_depth = asked;
@@ -67,16 +67,16 @@ TEST(ChosenRoulette, BeginsAtTheBounceThatIsAskedForOrItsOwn) {
     }
     return 0;
   };
-  EXPECT_EQ(first_refused("albedo", -1), 1);
-  EXPECT_EQ(first_refused("throughput", -1), 5);
-  EXPECT_EQ(first_refused("albedo", 4), 4);
-  EXPECT_EQ(first_refused("throughput", 3), 3);
-  EXPECT_THROW(first_refused("throughput", 0), std::invalid_argument);
+  EXPECT_EQ(first_refused(RouletteKind::albedo, -1), 1);
+  EXPECT_EQ(first_refused(RouletteKind::throughput, -1), 5);
+  EXPECT_EQ(first_refused(RouletteKind::albedo, 4), 4);
+  EXPECT_EQ(first_refused(RouletteKind::throughput, 3), 3);
+  EXPECT_THROW(first_refused(RouletteKind::throughput, 0), std::invalid_argument);
 }
 
 TEST(Strategies, RefuseADepthOfRouletteWithoutIt) {
   RenderSettings settings;
-  settings.roulette = "off";
+  settings.roulette = RouletteKind::off;
   settings.max_depth = 3;
   EXPECT_NO_THROW(Strategies(settings, lit_floor()));
   settings.roulette_depth = 2;
@@ -98,16 +98,16 @@ TEST(SurfaceBsdf, OfAMirrorIsSeenThroughByTheBounceAlone) {
   scene.add_wall({0, 0, 0}, {0, 1, 0}, 1e5, {Material::Kind::mirror, Rgb<double>(0.5, 0.5, 0.5), 1},
                  Rgb<double>(0, 0, 0));
   scene.add_sphere({0, 5, 0}, 1, Rgb<double>(0, 0, 0), Rgb<double>(3, 3, 3));
-  for (const char* direct : {"light", "mis", "none"}) {
+  for (const auto& direct : StrategyTable<DirectLighting>::rows) {
     RenderSettings settings;
-    settings.light_sampling = "cone";
-    settings.roulette = "off";
-    settings.direct = direct;
+    settings.light_sampling = LightPoints::cone;
+    settings.roulette = RouletteKind::off;
+    settings.direct = direct.value;
     settings.max_depth = 1;
     const auto tracer = chosen_tracer<double>(Strategies(settings, scene), scene);
     ScriptedSource source({0, 0, 0.5, 0.5});
     const Ray<double> down{{0.1, 2, 0}, {0, -1, 0}, -1};
-    EXPECT_NEAR(tracer.radiance(TracedScene<double>(scene), down, source)[0], 0.5 * 3, 1e-12) << direct;
+    EXPECT_NEAR(tracer.radiance(TracedScene<double>(scene), down, source)[0], 0.5 * 3, 1e-12) << direct.name;
   }
 }
 

@@ -119,7 +119,6 @@ TEST(UsageProblem, NamesTheNearestOptionOrCommandAndHelp) {
   EXPECT_EQ(problem("scenes foo"), "fairlight scenes does not take \"foo\" (see fairlight scenes --help)");
   EXPECT_THAT(problem("render a --sp 1 -o b"), HasSubstr("did you mean --spp?")) << "it is why --spp is missing";
   EXPECT_EQ(problem("render a --spp 1"), "-o is required (see fairlight render --help)");
-  EXPECT_THAT(problem("render a --spp 1 -o b --bounce sideways"), HasSubstr("{cosine,uniform}"));
 }
 
 TEST(NoCommand, ListsThoseThereAre) {

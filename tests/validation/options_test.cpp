@@ -59,6 +59,37 @@ TEST(AddText, RefusesAnEmptyOne) {
   EXPECT_EQ(text, "a");
 }
 
+TEST(AddChoice, RefusesAnotherWordAndNamesTheNearest) {
+  const auto refusal = [](const std::string& word) -> std::string {
+    CLI::App app;
+    std::string value;
+    add_choice(app, "--x", value, {"cosine", "uniform"}, "Choose.");
+    try {
+      app.parse(std::vector<std::string>{"--x=" + word});
+    } catch (const CLI::ValidationError& error) {
+      return error.what();
+    }
+    EXPECT_EQ(value, word);
+    return "";
+  };
+  EXPECT_EQ(refusal("cosine"), "");
+  EXPECT_EQ(refusal("cosin"), "--x: there is no \"cosin\"; did you mean cosine?");
+  EXPECT_EQ(refusal("sideways"), "--x: there is no \"sideways\"; choose cosine or uniform");
+}
+
+// The default is that of the option, not of its last value.
+TEST(FormatHelp, IndentsTheValuesOfAnOption) {
+  CLI::App app("Do it.", "program");
+  std::string word = "one";
+  app.add_option("--word", word, "Say it.\none: the first.\ntwo: " + std::string(60, 'a') + " b.")
+      ->capture_default_str()
+      ->type_name("WORD");
+  format_help(app);
+  const std::string indent(30, ' ');
+  EXPECT_THAT(app.help(), HasSubstr("  --word WORD               Say it. [default: one]\n" + indent +
+                                    "one: the first.\n" + indent + "two: " + std::string(60, 'a') + " b.\n"));
+}
+
 TEST(FormatHelp, HasTheOptionsInGroupsWithTheirDefaultsAndEndsWithExamples) {
   CLI::App app("Do it.", "program");
   double number = 0.25;

@@ -107,11 +107,11 @@ TEST(WholeOfParts, IsTheLargestBiasOfTheWorstVerdict) {
 TEST(DirectDifference, OfAStrategyAndItselfIsNothing) {
   const View view = built_in_scene("cornell-simple");
   RenderSettings settings;
-  settings.direct = "mis";
-  settings.light_sampling = "cone";
+  settings.direct = DirectLighting::mis;
+  settings.light_sampling = LightPoints::cone;
   settings.max_depth = 3;
   RenderSettings other = settings;
-  other.direct = "light";
+  other.direct = DirectLighting::light;
   const auto tracer = paired_tracers(settings, settings, view.scene)(std::type_identity<double>{});
   const auto between_two = paired_tracers(settings, other, view.scene)(std::type_identity<double>{});
   int different = 0;

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <memory>
 #include <sstream>
 
+#include <fairlight/render/nearest_names.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/app/options.h>
 
@@ -50,6 +52,12 @@ std::string entry(const std::string& name, const std::vector<std::string>& what)
   return line + wrapped(what, help_column) + "\n";
 }
 
+// A line on a value of an option, below the description of the option.
+std::string value_entry(const std::string& text) {
+  constexpr std::size_t indent = help_column + 2;
+  return std::string(indent, ' ') + wrapped(words_of(text), indent) + "\n";
+}
+
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
@@ -72,10 +80,15 @@ class HelpFormatter : public CLI::Formatter {
     const bool many = option->get_expected_max() > 1;
     std::string name = is_positional ? "" : option->get_name(false, true);
     if (has_value) name += (is_positional ? "" : " ") + option->get_type_name() + (many ? "..." : "");
-    std::vector<std::string> what = words_of(option->get_description());
+    std::istringstream lines(option->get_description());
+    std::string line;
+    std::getline(lines, line);
+    std::vector<std::string> what = words_of(line);
     if (option->get_required()) what.emplace_back("[required]");
     if (!option->get_default_str().empty()) what.push_back("[default: " + option->get_default_str() + "]");
-    return entry(name, what);
+    std::string text = entry(name, what);
+    while (std::getline(lines, line)) text += value_entry(line);
+    return text;
   }
 
   std::string make_option_usage(const CLI::Option* option) const override {
@@ -127,12 +140,22 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& value
   return app.add_option(name, value, help)->check(CLI::Validator(not_empty, ""))->type_name(shown);
 }
 
+CLI::Validator one_of(const std::vector<std::string>& choices) {
+  return CLI::Validator(
+      [choices](const std::string& word) -> std::string {
+        if (std::ranges::find(choices, word) != choices.end()) return "";
+        const std::vector<std::string> nearest = nearest_names(word, choices);
+        return nearest.empty()
+                   ? formatted("there is no \"%s\"; choose %s", word.c_str(), alternatives(choices).c_str())
+                   : formatted("there is no \"%s\"; did you mean %s?", word.c_str(), alternatives(nearest).c_str());
+      },
+      "");
+}
+
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& choices, const std::string& help) {
   const std::string list = CLI::detail::join(choices, ", ");
-  return app.add_option(name, value, help + " One of: " + list + ".")
-      ->check(CLI::IsMember(choices).description(""))
-      ->type_name("WORD");
+  return app.add_option(name, value, help + " One of: " + list + ".")->check(one_of(choices))->type_name("WORD");
 }
 
 void add_threads(CLI::App& app, int& threads, const std::string& help) {

@@ -38,6 +38,9 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, Integer& value, I
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& value, const std::string& shown,
                       const std::string& help);
 
+/// Accepts only one of these words. Names the nearest where another is given, or else all.
+CLI::Validator one_of(const std::vector<std::string>& choices);
+
 /// Adds an option whose value is one of `choices`. Help lists them.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& choices, const std::string& help);
@@ -55,7 +58,8 @@ void add_examples(CLI::App& app, const std::vector<std::string>& commands);
 std::string full_name(const CLI::App& app);
 
 /// Sets up the help of a program and of all its commands: groups of options, in lines of at most
-/// 100 columns, with the default of each. Call it after all commands are added.
+/// 100 columns, with the default of each. Lines after the first of an option's help are indented:
+/// they describe its values. Call it after all commands are added.
 void format_help(CLI::App& program);
 
 }  // namespace fairlight

@@ -151,7 +151,7 @@ void add_render(CLI::App& program, Command& command) {
   app->callback([options, &command] {
     if (options->points != 0)
       options->settings.points = options->points;
-    else if (options->settings.random != "independent")
+    else if (options->settings.random != RandomNumbers::independent)
       options->settings.points = usual_points;
     command = [options] { return render(*options); };
   });

@@ -1,4 +1,5 @@
 #include <fairlight/render/instruction_sets.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/app/render_options.h>
 
 namespace fairlight {
@@ -10,6 +11,27 @@ std::vector<std::string> instruction_names() {
   return names;
 }
 
+// The scenes that admit a strategy, as the end of its help.
+const char* for_these(Scenes scenes) {
+  if (scenes == Scenes::with_sphere_lights) return ", for spheres";
+  if (scenes == Scenes::with_rectangle_lights) return ", for rectangles";
+  return "";
+}
+
+// Adds the option of a kind of strategy. Its help has a line for each value.
+template <class Strategy>
+void add_strategy(CLI::App& app, Strategy& value) {
+  using Table = StrategyTable<Strategy>;
+  std::string help = Table::help;
+  for (const StrategyRow<Strategy>& row : Table::rows)
+    help += formatted("\n%s: %s%s (verify %s).", row.name, row.help, for_these(row.scenes), row.claims);
+  const auto set = [&value](const std::string& name) { value = find_strategy<Strategy>(name)->value; };
+  app.add_option_function<std::string>(option_of(Table::setting), set, help)
+      ->check(one_of(strategy_names<Strategy>()))
+      ->type_name("WORD")
+      ->default_str(name_of(value));
+}
+
 void add_picture(CLI::App& app, RenderSettings& settings) {
   begin_group(app, "Picture");
   app.add_option("scene", settings.scene, "Render this built-in scene; `fairlight scenes` lists them.")
@@ -19,9 +41,7 @@ void add_picture(CLI::App& app, RenderSettings& settings) {
       ->capture_default_str();
   add_count(app, "--height", settings.height, 1, 65536, "Make the picture this many pixels high.")
       ->capture_default_str();
-  add_choice(app, "--filter", settings.filter, {"tent", "box", "gaussian", "blackman-harris"},
-             "Filter pixels by this.")
-      ->capture_default_str();
+  add_strategy(app, settings.filter);
   const std::string or_scene = " The scene has its own.";
   add_number(app, "--aperture", settings.aperture, {.low = 0, .from_low = true},
              "Give the lens this radius in metres, for example 2.5; 0 is a pinhole." + or_scene);
@@ -41,30 +61,22 @@ void add_samples(CLI::App& app, RenderOptions& options) {
            "Take only part i of N of the samples, for example 2/8; `fairlight merge` puts the parts together.");
   add_text(app, "--seed", options.seed, "HEX",
            "Draw random numbers from this seed, 1 to 16 hexadecimal digits. A fresh one if not given.");
-  add_choice(app, "--random", options.settings.random, {"independent", "sobol", "stratified"},
-             "Take random numbers from this source.")
-      ->capture_default_str();
+  add_strategy(app, options.settings.random);
   add_count(app, "--points", options.points, std::uint32_t{1}, std::uint32_t{1024},
-            "Spread this many samples together, a power of two: of sobol and stratified, 16 if not given.");
+            formatted("Spread this many samples together, a power of two: of %s and %s, 16 if not given.",
+                      name_of(RandomNumbers::sobol), name_of(RandomNumbers::stratified)));
 }
 
 void add_strategies(CLI::App& app, RenderSettings& settings) {
   begin_group(app, "Strategies");
-  const auto choice = [&app](const char* name, std::string& value, const std::vector<std::string>& values,
-                             const char* help) {
-    add_choice(app, name, value, values, help)->capture_default_str();
-  };
-  choice("--bounce", settings.bounce, {"cosine", "uniform"}, "Sample the directions of diffuse bounces so.");
-  choice("--direct", settings.direct, {"light", "none", "mis"},
-         "Find light by shadow rays alone, by bounces alone, or by both with the balance heuristic.");
-  choice("--light-sampling", settings.light_sampling, {"area", "visible", "cone", "solid-angle"},
-         "Sample points of a light so: visible and cone are for spheres, solid-angle is for rectangles.");
-  choice("--which-light", settings.which_light, {"all", "one", "power", "contribution"},
-         "Send shadow rays to all lights, or to one: any, or chosen by power or by contribution.");
-  choice("--roulette", settings.roulette, {"albedo", "throughput", "off"},
-         "Let paths survive a bounce with the surface's albedo, with their throughput, or always.");
+  add_strategy(app, settings.bounce);
+  add_strategy(app, settings.direct);
+  add_strategy(app, settings.light_sampling);
+  add_strategy(app, settings.which_light);
+  add_strategy(app, settings.roulette);
   add_count(app, "--roulette-depth", settings.roulette_depth, 1, 1 << 20,
-            "End paths by roulette from this bounce on: 1 by albedo and 5 by throughput if not given.");
+            formatted("End paths by roulette from this bounce on: 1 by %s and 5 by %s if not given.",
+                      name_of(RouletteKind::albedo), name_of(RouletteKind::throughput)));
   add_count(app, "--max-depth", settings.max_depth, 0, 1 << 20,
             "End paths after this many bounces. No limit if not given.");
 }
@@ -79,9 +91,7 @@ void add_files(CLI::App& app, RenderOptions& options) {
 void add_running(CLI::App& app, RenderOptions& options) {
   begin_group(app, "Running");
   add_threads(app, options.threads);
-  add_choice(app, "--real", options.settings.real, {"packet", "double"},
-             "Trace packets of paths in floats, or one path at a time in doubles.")
-      ->capture_default_str();
+  add_strategy(app, options.settings.real);
   add_choice(app, "--instructions", options.instructions, instruction_names(),
              "Trace packets by this instruction set. The widest of this machine if not given.");
 }

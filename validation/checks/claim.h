@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fairlight/render/strategy_table.h>
 #include <fairlight/stats/manifest.h>
 #include <fairlight/stats/verdict.h>
 #include <fairlight/validation/checks/parameter_range.h>
@@ -19,7 +20,7 @@ struct Claim {
   std::string source;                 ///< where the reference comes from
   double margin_factor;  ///< its margin is this times the run's: 1, or more where 1 would take too long
   std::function<Finding(const Trial&)> check;
-  std::string real = "double";  ///< the arithmetic: double | packet
+  std::string real = name_of(Arithmetic::doubles);  ///< the name of its arithmetic
   double finest_margin = 0;  ///< the finest margin that its rounding allows: the floor of its margin; 0 means none
   double weight = 1;         ///< its share of the budget is weight / the sum of all weights
   std::vector<ParameterRange> covers{};  ///< the parameters that each run draws anew

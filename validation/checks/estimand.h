@@ -21,7 +21,7 @@ std::string real_suffix() {
 }
 template <class Real>
 std::string real_name() {
-  return lanes<Real> > 1 ? "packet" : "double";
+  return name_of(lanes<Real> > 1 ? Arithmetic::packets : Arithmetic::doubles);
 }
 
 /// A component with these parameters in every arithmetic: it takes type_identity<Real> and makes a

@@ -80,7 +80,7 @@ Claim density_claim(const LawEstimand<Make, Domain>& e) {
               [e](const Trial& trial) {
                 return check_density(trial, e.template law<Packet>(), e.template law<double>());
               },
-          .real = "packet"};
+          .real = real_name<Packet>()};
 }
 
 /// The means of s, t and s t under a law, where (s, t) are the coordinates of its domain's unit

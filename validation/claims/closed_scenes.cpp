@@ -5,7 +5,7 @@
 namespace fairlight {
 namespace {
 
-RenderSettings settings_in(const std::string& real, const LightSearch& search, int depth) {
+RenderSettings settings_in(Arithmetic real, const LightSearch& search, int depth) {
   RenderSettings settings;
   settings.real = real;
   settings.direct = search.direct;
@@ -15,9 +15,9 @@ RenderSettings settings_in(const std::string& real, const LightSearch& search, i
 }
 
 // Objects that reflect all light, under a sky; and pictures of few samples and of twice as many.
-void add_renders(std::vector<Claim>& claims, const std::string& real) {
-  RenderSettings endless = settings_in(real, {"none", "area"}, -1);
-  for (const char* roulette : {"albedo", "throughput"}) {
+void add_renders(std::vector<Claim>& claims, Arithmetic real) {
+  RenderSettings endless = settings_in(real, {DirectLighting::none, LightPoints::area}, -1);
+  for (const RouletteKind roulette : {RouletteKind::albedo, RouletteKind::throughput}) {
     endless.roulette = roulette;
     claims.push_back(rendered_radiance(white_sky(), endless, 1));
   }
@@ -25,7 +25,8 @@ void add_renders(std::vector<Claim>& claims, const std::string& real) {
     claims.push_back(rendered_radiance(white_ball(), settings_in(real, search, 1)));
   }
   for (const std::uint32_t sets : {3u, 6u}) {
-    claims.push_back(rendered_radiance(concentric_spheres(), settings_in(real, {"light", "cone"}, 5), 30, sets));
+    claims.push_back(rendered_radiance(concentric_spheres(),
+                                       settings_in(real, {DirectLighting::light, LightPoints::cone}, 5), 30, sets));
   }
 }
 
@@ -39,8 +40,7 @@ void add_closed_scene_claims(std::vector<Claim>& claims) {
   };
   add(concentric_spheres(), searches_of_spheres());
   add(lit_box(), searches_of_rectangles());
-  add_renders(claims, "double");
-  add_renders(claims, "packet");
+  for (const auto& row : StrategyTable<Arithmetic>::rows) add_renders(claims, row.value);
   using BySolidAngle = PointsBy<SphereByArea, RectangleBySolidAngle>;
   add_independent_mean(claims, in_lit_box<DirectLight<AllLights, BySolidAngle>>("direct"));
   add_independent_mean(claims, in_lit_box<DirectLight<AllLights, BySolidAngle, MisWeighted<>>>("shared"));

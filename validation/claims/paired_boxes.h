@@ -12,35 +12,45 @@ namespace fairlight {
 ///          shares; by area A f Le / d^2 <= 9 pi 400 0.75 / (pi 15^2) = 12; by the visible
 ///          hemisphere half of this. Four vertices, with the albedo 0.8 from one to the next.
 inline constexpr double four_vertices = 1 + 0.8 + 0.64 + 0.512;
-inline PairedPaths in_the_box(const std::string& name, const std::string& sampling, const std::string& direct,
+inline PairedPaths in_the_box(const std::string& name, LightPoints sampling, DirectLighting direct,
                               double brightest) {
   return {name,
           "cornell-simple",
-          related_settings(sampling, "all", 4, direct),
-          related_settings("cone", "all", 4),
+          related_settings(sampling, WhichLight::all, 4, direct),
+          related_settings(LightPoints::cone, WhichLight::all, 4),
           -2.49 * four_vertices,
           brightest * four_vertices};
 }
-inline PairedPaths box_by_area() { return in_the_box("area", "area", "light", 12); }
-inline PairedPaths box_by_visible() { return in_the_box("visible", "visible", "light", 6); }
-inline PairedPaths box_shared() { return in_the_box("mis", "cone", "mis", 2.49); }
+inline PairedPaths box_by_area() {
+  return in_the_box(name_of(LightPoints::area), LightPoints::area, DirectLighting::light, 12);
+}
+inline PairedPaths box_by_visible() {
+  return in_the_box(name_of(LightPoints::visible), LightPoints::visible, DirectLighting::light, 6);
+}
+inline PairedPaths box_shared() {
+  return in_the_box(name_of(DirectLighting::mis), LightPoints::cone, DirectLighting::mis, 2.49);
+}
 
 /// The measured box, up to three bounces, against its light by solid angle alone. By area alone the
 /// range would be three million: a point next to the lamp, h = 0.1 mm under the ceiling, brings A f
 /// Le / h^2.
 /// Bound    S f Le <= 15.8 (see split_box_light). Where shadow rays and bounces share, each brings
 ///          f Le cos / (p_l + p_b) <= albedo Le = 7.9, by any sampling of the light.
-inline PairedPaths measured_box(const std::string& name, const std::string& sampling, double brightest) {
+inline PairedPaths measured_box(const std::string& name, LightPoints sampling, double brightest) {
   constexpr double vertices = 1 + 0.725 + 0.526;
   return {name,
           "cornell-original",
-          related_settings(sampling, "all", 3, "mis"),
-          related_settings("solid-angle", "all", 3),
+          related_settings(sampling, WhichLight::all, 3, DirectLighting::mis),
+          related_settings(LightPoints::solid_angle, WhichLight::all, 3),
           -15.8 * vertices,
           brightest * vertices};
 }
-inline PairedPaths measured_box_shared() { return measured_box("mis", "solid-angle", 7.9); }
-inline PairedPaths measured_box_by_area() { return measured_box("area", "area", 15.8); }
+inline PairedPaths measured_box_shared() {
+  return measured_box(name_of(DirectLighting::mis), LightPoints::solid_angle, 7.9);
+}
+inline PairedPaths measured_box_by_area() {
+  return measured_box(name_of(LightPoints::area), LightPoints::area, 15.8);
+}
 
 inline PartMeans whole_of(double mean) { return {"picture", "over the picture", {mean}}; }
 inline PartMeans border_of(double mean) { return {"border", "over the outermost 8 pixels of 256", {mean}}; }

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,20 +14,31 @@ namespace fairlight {
 
 /// A strategy for direct light: shadow rays to points sampled in this way, or none.
 struct LightSearch {
-  std::string direct, light_sampling;
+  DirectLighting direct;
+  LightPoints light_sampling;
 };
 
-/// All that the renderer has for scenes whose lights are spheres.
-inline std::vector<LightSearch> searches_of_spheres() {
-  return {{"none", "area"}, {"light", "area"},  {"light", "visible"}, {"light", "cone"},
-          {"mis", "area"},  {"mis", "visible"}, {"mis", "cone"}};
+/// All that the renderer has for these scenes. For rectangles it leaves out shadow rays by area
+/// alone, whose variance is infinite where two rectangles meet, as their points can be arbitrarily
+/// close.
+inline std::vector<LightSearch> searches_of(Scenes scenes) {
+  std::vector<LightSearch> searches;
+  for (const auto& direct : StrategyTable<DirectLighting>::rows) {
+    if (direct.scenes == Scenes::any) {  // no shadow rays, so no sampling
+      searches.push_back({direct.value, RenderSettings().light_sampling});
+      continue;
+    }
+    for (const auto& sampling : StrategyTable<LightPoints>::rows) {
+      const bool is_infinite = scenes == Scenes::with_rectangle_lights && direct.value == DirectLighting::light &&
+                               sampling.value == LightPoints::area;
+      const bool is_admitted = sampling.scenes == Scenes::any || sampling.scenes == scenes;
+      if (is_admitted && !is_infinite) searches.push_back({direct.value, sampling.value});
+    }
+  }
+  return searches;
 }
-
-/// The same for rectangles. It leaves out shadow rays by area alone, whose variance is infinite
-/// where two rectangles meet, as their points can be arbitrarily close.
-inline std::vector<LightSearch> searches_of_rectangles() {
-  return {{"none", "area"}, {"light", "solid-angle"}, {"mis", "solid-angle"}, {"mis", "area"}};
-}
+inline std::vector<LightSearch> searches_of_spheres() { return searches_of(Scenes::with_sphere_lights); }
+inline std::vector<LightSearch> searches_of_rectangles() { return searches_of(Scenes::with_rectangle_lights); }
 
 /// Combinations of strategies of the renderer that cover all pairs, since most errors of a
 /// composition need two strategies. Every bounce meets every search for light and every choice of a
@@ -45,7 +55,7 @@ class PairwiseCover {
     if (searches.size() >= most) throw std::invalid_argument("there are too many searches to be crossed");
     for (std::size_t bounce = 0; bounce < bounces.size(); ++bounce) {
       for (std::size_t search = 0; search < searches.size(); ++search) {
-        const bool chooses = searches[search].direct != "none";
+        const bool chooses = searches[search].direct != DirectLighting::none;
         for (std::size_t choice = 0; choice < choices.size(); ++choice) {
           Completion best;
           complete({bounce, search, chooses ? choice : no_choice}, first_completed, best);
@@ -65,13 +75,13 @@ class PairwiseCover {
   static constexpr std::size_t kinds = 8, first_completed = 3;
   static constexpr std::size_t most = 16, no_choice = most - 1;
 
-  static constexpr std::array bounces{"cosine", "uniform"};
-  static constexpr std::array choices{"all", "one", "power", "contribution"};
-  static constexpr std::array roulettes{"albedo", "throughput", "off"};
-  static constexpr std::array numbers{"independent", "sobol", "stratified"};
-  static constexpr std::array filters{"tent", "box", "gaussian", "blackman-harris"};
+  static constexpr auto bounces = StrategyTable<BounceSampling>::rows;
+  static constexpr auto choices = StrategyTable<WhichLight>::rows;
+  static constexpr auto roulettes = StrategyTable<RouletteKind>::rows;
+  static constexpr auto numbers = StrategyTable<RandomNumbers>::rows;
+  static constexpr auto filters = StrategyTable<PixelFilter>::rows;
   static constexpr std::array apertures{0.0, 0.2};
-  static constexpr std::array reals{"double", "packet"};
+  static constexpr auto reals = StrategyTable<Arithmetic>::rows;
   static constexpr std::array completions{roulettes.size(), numbers.size(), filters.size(), apertures.size(),
                                           reals.size()};
 
@@ -106,18 +116,18 @@ class PairwiseCover {
 
   static RenderSettings settings_of(const Row& row, const LightSearch& search, int depth) {
     RenderSettings settings;
-    settings.bounce = bounces[row[0]];
+    settings.bounce = bounces[row[0]].value;
     settings.direct = search.direct;
     settings.light_sampling = search.light_sampling;
-    if (row[2] != no_choice) settings.which_light = choices[row[2]];
-    settings.roulette = roulettes[row[3]];
-    if (settings.roulette == "throughput") settings.roulette_depth = 2;  // paths are short
-    settings.random = numbers[row[4]];
-    settings.points = settings.random == "independent" ? 1 : 4;
-    settings.filter = filters[row[5]];
+    if (row[2] != no_choice) settings.which_light = choices[row[2]].value;
+    settings.roulette = roulettes[row[3]].value;
+    if (settings.roulette == RouletteKind::throughput) settings.roulette_depth = 2;  // paths are short
+    settings.random = numbers[row[4]].value;
+    settings.points = settings.random == RandomNumbers::independent ? 1 : 4;
+    settings.filter = filters[row[5]].value;
     settings.aperture = apertures[row[6]];
-    settings.real = reals[row[7]];
-    settings.max_depth = settings.bounce == "uniform" ? std::min(depth, 3) : depth;
+    settings.real = reals[row[7]].value;
+    settings.max_depth = settings.bounce == BounceSampling::uniform ? std::min(depth, 3) : depth;
     return settings;
   }
 

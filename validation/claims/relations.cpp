@@ -11,7 +11,7 @@ void add_same_paths(std::vector<Claim>& claims, const RelatedViews& views) {
 }
 
 template <class Numbers>
-void add_twice_the_samples(std::vector<Claim>& claims, const std::string& kind, const std::string& subject) {
+void add_twice_the_samples(std::vector<Claim>& claims, RandomNumbers kind, const std::string& subject) {
   claims.push_back(twice_the_samples<double, Numbers>(kind, subject, two_lights_samples()));
   claims.push_back(twice_the_samples<Packet, Numbers>(kind, subject, two_lights_samples()));
 }
@@ -36,12 +36,12 @@ void add_relation_claims(std::vector<Claim>& claims) {
   add_independent_mean(claims, upended_floor());
   add_independent_mean(claims, reversed_lights());
   claims.push_back(mean_claim<Packet>(turned_box()));  // in packets only, as it takes seconds in double
-  for (const std::string which : {"all", "one"}) {
+  for (const WhichLight which : {WhichLight::all, WhichLight::one}) {
     add_independent_mean(claims, split_lamp(which));
     claims.push_back(mean_claim<Packet>(split_box_light(which)));
   }
-  add_twice_the_samples<PaddedSobol>(claims, "sobol", "PaddedSobol");
-  add_twice_the_samples<PaddedStrata>(claims, "stratified", "PaddedStrata");
+  add_twice_the_samples<PaddedSobol>(claims, RandomNumbers::sobol, "PaddedSobol");
+  add_twice_the_samples<PaddedStrata>(claims, RandomNumbers::stratified, "PaddedStrata");
 }
 
 }  // namespace fairlight

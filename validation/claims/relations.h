@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fairlight/render/strategies.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/chosen_tracer.h>
 #include <fairlight/validation/checks/padded_sets.h>
 #include <fairlight/validation/claims/radiance.h>
@@ -134,8 +135,9 @@ struct SampledView {
 /// Tests that sets of n points have the mean of sets of 2n. The points differ, as the latter are
 /// spread over twice as many cells.
 template <class Real, class Numbers>
-Claim twice_the_samples(const std::string& kind, const std::string& subject, const SampledView& sampled) {
-  return {.name = sampled.view.name + ".relation.twice." + kind + real_suffix<Real>(),
+Claim twice_the_samples(RandomNumbers kind, const std::string& subject, const SampledView& sampled) {
+  return {.name = formatted("%s.relation.twice.%s%s", sampled.view.name.c_str(), name_of(kind),
+                            real_suffix<Real>().c_str()),
           .kind = "mean",
           .subjects = {subject, "VertexSource", "PathTracer"},
           .statement = "sets of " + std::to_string(2 * sampled.n) + " samples have the mean of sets of " +

@@ -67,15 +67,18 @@ class RenderedPixels {
 ///          roulette by throughput a path carries at most w, or w rho times what it had; and
 ///          outside glass n^2 times as much.
 inline std::vector<Reference> references_of(const ClosedScene& scene, const RenderSettings& settings) {
-  const double bounce = settings.bounce == "uniform" ? 2 : 1;
-  const double weight = settings.roulette == "albedo" ? bounce : std::max(1.0, bounce * scene.whitest());
-  const double shadow_rays = settings.direct == "none" ? 0 : 1, bounces = settings.direct == "light" ? 0 : weight;
+  const double bounce = settings.bounce == BounceSampling::uniform ? 2 : 1;
+  const double weight =
+      settings.roulette == RouletteKind::albedo ? bounce : std::max(1.0, bounce * scene.whitest());
+  const double shadow_rays = settings.direct == DirectLighting::none ? 0 : 1,
+               bounces = settings.direct == DirectLighting::light ? 0 : weight;
   double vertices = 0;
   for (int k = 0; k < settings.max_depth; ++k) vertices += std::pow(weight, k);
   const Rgb<double> mean = scene.radiance(settings.max_depth);
   const Rgb<double> brightest = scene.brightest();
-  const double survivor =
-      settings.roulette == "throughput" ? bounce * scene.index * scene.index * (1 + 1e-12) : 1;  // plus rounding
+  const double survivor = settings.roulette == RouletteKind::throughput
+                              ? bounce * scene.index * scene.index * (1 + 1e-12)
+                              : 1;  // plus rounding
   const Rgb<double> upper =
       survivor * (brightest + vertices * (shadow_rays * scene.largest_term + bounces * brightest));
   return for_channels([&](int c) { return Reference{mean[c], 0, upper[c]}; });
@@ -86,16 +89,18 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
 /// off by large factors. The claims about components have narrow margins, for small errors.
 inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& settings, double margin_factor = 30,
                                std::uint32_t sets = 1) {
-  const bool shadow_rays = settings.direct != "none";
-  const std::string search = shadow_rays
-                                 ? formatted("%s.%s", settings.light_sampling.c_str(), settings.which_light.c_str())
-                                 : formatted("%s.%s", settings.roulette.c_str(), settings.filter.c_str());
+  const bool shadow_rays = settings.direct != DirectLighting::none;
+  const std::string search =
+      shadow_rays ? formatted("%s.%s", name_of(settings.light_sampling), name_of(settings.which_light))
+                  : formatted("%s.%s", name_of(settings.roulette), name_of(settings.filter));
   const std::string others =
-      formatted("roulette %s, %s numbers, a %s filter and a %s", settings.roulette.c_str(), settings.random.c_str(),
-                settings.filter.c_str(), settings.aperture > 0 ? "lens" : "pinhole");
-  return {.name = formatted("%s.%s.%s.%s%s%s", scene.view.name.c_str(), settings.bounce.c_str(),
-                            settings.direct.c_str(), search.c_str(), sets > 1 ? formatted(".%u", sets).c_str() : "",
-                            settings.real == "packet" ? ".packet" : ""),
+      formatted("roulette %s, %s numbers, a %s filter and a %s", name_of(settings.roulette),
+                name_of(settings.random), name_of(settings.filter), settings.aperture > 0 ? "lens" : "pinhole");
+  const bool in_packets = settings.real == Arithmetic::packets;
+  const std::string name =
+      formatted("%s.%s.%s.%s%s%s", scene.view.name.c_str(), name_of(settings.bounce), name_of(settings.direct),
+                search.c_str(), sets > 1 ? formatted(".%u", sets).c_str() : "", in_packets ? ".packet" : "");
+  return {.name = name,
           .kind = "mean",
           .subjects = {"PathTracer", shadow_rays ? "DirectLight" : "NoDirectLight"},
           .statement = formatted("by %s, the pixels of a picture show the closed form, of depth %d, per channel",
@@ -107,18 +112,17 @@ inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& s
                 const auto references = references_of(scene, settings);
                 RenderedPixels draws(with_camera_of(settings, scene.view), settings,
                                      StreamKey(trial.seed, trial.claim), sets);
-                return test_means(trial,
-                                  settings.real == "packet" ? rounded_references<Packet>(references)
-                                                            : rounded_references<double>(references),
-                                  [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
-                                    for (std::size_t i = 0; i < channels[0].size(); ++i) {
-                                      const Rgb<double> pixel = draws.at(first + i);
-                                      for (std::size_t c = 0; c < 3; ++c)
-                                        channels[c][i] = pixel[static_cast<Eigen::Index>(c)];
-                                    }
-                                  });
+                return test_means(
+                    trial,
+                    in_packets ? rounded_references<Packet>(references) : rounded_references<double>(references),
+                    [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
+                      for (std::size_t i = 0; i < channels[0].size(); ++i) {
+                        const Rgb<double> pixel = draws.at(first + i);
+                        for (std::size_t c = 0; c < 3; ++c) channels[c][i] = pixel[static_cast<Eigen::Index>(c)];
+                      }
+                    });
               },
-          .real = settings.real};
+          .real = name_of(settings.real)};
 }
 
 }  // namespace fairlight

@@ -2,6 +2,7 @@
 
 #include <fairlight/render/render_image.h>
 #include <fairlight/render/strategies.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/chosen_tracer.h>
 #include <fairlight/validation/checks/padded_sets.h>
 #include <fairlight/validation/claims/radiance.h>
@@ -87,7 +88,7 @@ Claim floats_against_double(const std::string& name, const View& view, double la
                 return test_means(trial, rounded_references<Packet>(floats),
                                   draws.double_minus_packet(StreamKey(trial.seed, trial.claim), floats));
               },
-          .real = "packet"};
+          .real = real_name<Packet>()};
 }
 
 /// Tests the mean of a picture with the numbers of sets against that with independent numbers. Both
@@ -128,10 +129,13 @@ Claim sets_agree(const std::string& name, std::vector<std::string> subjects, con
 /// Adds these rows for Sobol' points and for strata.
 template <class Real>
 void add_sets(std::vector<Claim>& claims, const SceneComparison& comparison, const RenderSettings& settings) {
+  const auto name = [&](RandomNumbers sets) {
+    return formatted("%s.random.%s", comparison.scene.c_str(), name_of(sets));
+  };
   claims.push_back(
-      sets_agree<Real, PaddedSobol>(comparison.scene + ".random.sobol", {"PaddedSobol"}, comparison, settings));
-  claims.push_back(sets_agree<Real, PaddedStrata>(comparison.scene + ".random.stratified", {"PaddedStrata"},
-                                                  comparison, settings));
+      sets_agree<Real, PaddedSobol>(name(RandomNumbers::sobol), {"PaddedSobol"}, comparison, settings));
+  claims.push_back(
+      sets_agree<Real, PaddedStrata>(name(RandomNumbers::stratified), {"PaddedStrata"}, comparison, settings));
 }
 
 }  // namespace fairlight

@@ -17,8 +17,8 @@ struct Most {
 // picture, in grey.
 struct WholeScene {
   std::string name;
-  std::string which_light = "all";
-  std::string light_sampling = "cone";
+  WhichLight which_light = WhichLight::all;
+  LightPoints light_sampling = LightPoints::cone;
   int max_depth = 3;
   Most most;
   double mean;
@@ -67,7 +67,7 @@ std::vector<WholeScene> whole_scenes() {
        .mean = 0.3,
        .margin_factor = 40},
       {.name = "cornell-original",
-       .light_sampling = "solid-angle",
+       .light_sampling = LightPoints::solid_angle,
        .most = {15.8 * 2.44, 2 * (7.9 * 7 + 11 * 4), 7.9 * 3 + 11, 15.8 * 7, 11},
        .mean = 0.11,
        .margin_factor = 60},
@@ -76,7 +76,7 @@ std::vector<WholeScene> whole_scenes() {
        .mean = 0.2,
        .margin_factor = 40},
       {.name = "many-lights",
-       .which_light = "contribution",
+       .which_light = WhichLight::contribution,
        .max_depth = 1,
        .most = {6, 80 + 100, 123 + 154, 6 * (1 + 2), 154, 80},
        .mean = 0.3,
@@ -87,7 +87,11 @@ std::vector<WholeScene> whole_scenes() {
 }
 
 struct WaysOfAPath {
-  std::string bounce, direct, light_sampling, which_light, roulette;
+  BounceSampling bounce;
+  DirectLighting direct;
+  LightPoints light_sampling;
+  WhichLight which_light;
+  RouletteKind roulette;
 };
 
 RenderSettings settings_of(const WaysOfAPath& ways) {
@@ -97,7 +101,7 @@ RenderSettings settings_of(const WaysOfAPath& ways) {
   settings.light_sampling = ways.light_sampling;
   settings.which_light = ways.which_light;
   settings.roulette = ways.roulette;
-  if (ways.roulette == "throughput") settings.roulette_depth = 1;
+  if (ways.roulette == RouletteKind::throughput) settings.roulette_depth = 1;
   return settings;
 }
 
@@ -106,7 +110,7 @@ RenderSettings settings_of(const WaysOfAPath& ways) {
 // paths need a second vertex for the first bounce to matter. Bounces that alone find small bright
 // lights vary much: those rows have wider margins, and there is none among a thousand lights.
 void add_strategies(std::vector<Claim>& claims, const WholeScene& scene) {
-  const std::string part = scene.light_sampling == "cone" ? "visible" : "area";
+  const LightPoints part = scene.light_sampling == LightPoints::cone ? LightPoints::visible : LightPoints::area;
   const auto add = [&](const std::string& name, const SceneComparison& comparison, const WaysOfAPath& ways,
                        const RenderSettings& baseline) {
     claims.push_back(
@@ -114,20 +118,27 @@ void add_strategies(std::vector<Claim>& claims, const WholeScene& scene) {
                                             comparison, settings_of(ways), baseline)));
   };
   const RenderSettings baseline = scene.baseline();
-  add("uniform", scene.comparison(scene.most.uniform), {"uniform", "mis", part, "power", "albedo"}, baseline);
+  add("uniform", scene.comparison(scene.most.uniform),
+      {BounceSampling::uniform, DirectLighting::mis, part, WhichLight::power, RouletteKind::albedo}, baseline);
   SceneComparison shared = scene.comparison(scene.most.shared);
   shared.darkest = -scene.most.shared_baseline;
   RenderSettings by_power = baseline;
-  if (scene.which_light == "contribution") by_power.which_light = "power";
-  add("shared", shared, {"cosine", "mis", "area", "one", "throughput"}, by_power);
+  if (scene.which_light == WhichLight::contribution) by_power.which_light = WhichLight::power;
+  add("shared", shared,
+      {BounceSampling::cosine, DirectLighting::mis, LightPoints::area, WhichLight::one, RouletteKind::throughput},
+      by_power);
   SceneComparison estimated = scene.comparison(scene.most.estimated);
   if (scene.max_depth == 1) {
     estimated.max_depth = 2;
     estimated.darkest *= 1.8;
   }
-  add("estimated", estimated, {"uniform", "light", scene.light_sampling, "contribution", "throughput"}, baseline);
+  add("estimated", estimated,
+      {BounceSampling::uniform, DirectLighting::light, scene.light_sampling, WhichLight::contribution,
+       RouletteKind::throughput},
+      baseline);
   if (scene.alone_factor == 0) return;
-  add("alone", scene.comparison(scene.most.light, scene.alone_factor), {"cosine", "none", "area", "all", "albedo"},
+  add("alone", scene.comparison(scene.most.light, scene.alone_factor),
+      {BounceSampling::cosine, DirectLighting::none, LightPoints::area, WhichLight::all, RouletteKind::albedo},
       baseline);
 }
 
@@ -164,7 +175,7 @@ void add_floats(std::vector<Claim>& claims, const WholeScene& scene) {
 void add_numbers(std::vector<Claim>& claims, const WholeScene& scene) {
   if (!scene.by_sets) return;
   RenderSettings settings = scene.baseline();
-  settings.which_light = "contribution";
+  settings.which_light = WhichLight::contribution;
   SceneComparison comparison = scene.comparison(1.05 * scene.most.baseline, 1.6);
   comparison.darkest = -comparison.brightest;
   add_sets<Packet>(claims, comparison, settings);
