@@ -79,7 +79,8 @@ struct Function {
 // The functions around each line, of code that clang-format has laid out: a function begins with a
 // line that has a name and a parenthesis, and ends with the brace in the column where it began.
 std::vector<std::optional<Function>> functions_of(const std::vector<Line>& lines) {
-  static const std::regex head(R"(^( {0,4})(?!return |if |for |while |switch |else|using |#|\}|:|namespace)[^;=]*?\b[~\w]+\([^;]*$)");
+  static const std::regex head(
+      R"(^( {0,4})(?!return |if |for |while |switch |else|using |#|\}|:|namespace)[^;=]*?\b[~\w]+\([^;]*$)");
   static const std::regex whole(R"(^ {0,4}\S[^=]*?\b\w+\(.*\{ .* \}$)");
   std::vector<std::optional<Function>> functions(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -94,7 +95,8 @@ std::vector<std::optional<Function>> functions_of(const std::vector<Line>& lines
     while (last < lines.size() && lines[last].code.find_first_not_of(' ') >= end.size() && lines[last].code != end)
       ++last;
     if (last == lines.size() || !lines[last].code.starts_with(end)) continue;
-    for (std::size_t k = i; k <= last; ++k) functions[k] = Function{lines[i].code, lines[i].number, lines[last].number};
+    for (std::size_t k = i; k <= last; ++k)
+      functions[k] = Function{lines[i].code, lines[i].number, lines[last].number};
     i = last;
   }
   return functions;

@@ -11,15 +11,15 @@ namespace fairlight {
 /// One small change of a source, a typing error or an error of meaning, that a test suite should
 /// notice.
 struct Mutant {
-  std::string file;          ///< path relative to the source folder
-  std::string kind;          ///< the kind of its rule
-  int line = 0;              ///< from 1
-  std::size_t column = 0;    ///< from 1 [bytes]
-  std::size_t begin = 0;     ///< in the file's text [bytes]
-  std::size_t length = 0;    ///< of the text that it replaces [bytes]
+  std::string file;        ///< path relative to the source folder
+  std::string kind;        ///< the kind of its rule
+  int line = 0;            ///< from 1
+  std::size_t column = 0;  ///< from 1 [bytes]
+  std::size_t begin = 0;   ///< in the file's text [bytes]
+  std::size_t length = 0;  ///< of the text that it replaces [bytes]
   std::string replacement;
-  std::string before, after;             ///< the trimmed line before and after the change
-  int first_line = 0, last_line = 0;     ///< of the function around it; its own line elsewhere
+  std::string before, after;          ///< the trimmed line before and after the change
+  int first_line = 0, last_line = 0;  ///< of the function around it; its own line elsewhere
 
   /// The name of the mutant, "file:line:column before => after", valid while the line is unchanged.
   std::string name() const;

@@ -104,15 +104,13 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 std::regex pattern_of(const Row& row) {
   const std::string parentheses = R"((?:\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)))";
-  const std::string operand =
-      R"((?:[A-Za-z_][\w:]*(?:<[\w, ]+>)?(?:#|\.\w+|->\w+|\[[^\]]*\])*|#|\d[\w.]*))";
+  const std::string operand = R"((?:[A-Za-z_][\w:]*(?:<[\w, ]+>)?(?:#|\.\w+|->\w+|\[[^\]]*\])*|#|\d[\w.]*))";
   return std::regex(replaced(replaced(row.pattern, "@", operand), "#", parentheses));
 }
 
 MutationRule rule_of(const Row& row, Operators of) {
   const std::string signature = row.signature;
-  return {row.kind,   of, row.needs, pattern_of(row), row.format, std::regex(signature),
-          signature.empty()};
+  return {row.kind, of, row.needs, pattern_of(row), row.format, std::regex(signature), signature.empty()};
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ concept Vector = requires(const T& x) {
 
 /// A packet of floats: no number of the language, but it has square roots.
 template <class T>
-concept Lanes = !std::is_arithmetic_v<T> && !Vector<T> && requires(const T& x) { sqrt(x); };
+concept Lanes = !std::is_arithmetic_v<T> && !Vector<T> && requires(const T& x) {
+  sqrt(x);
+};
 
 template <class T>
 constexpr T constant(double c) {
