@@ -96,26 +96,34 @@ std::string MutantCompiler::with_header(const std::string& command) {
   return std::regex_replace(command, include, " -include " + header);
 }
 
-MutantCompiler::Unchanged& MutantCompiler::unchanged(const BuiltObject& object) {
-  Unchanged* known = nullptr;
-  {
-    const std::lock_guard lock(mutex_);
-    std::unique_ptr<Unchanged>& place = unchanged_[object.path];
-    if (!place) place = std::make_unique<Unchanged>();
-    known = place.get();
+MutantCompiler::Unchanged& MutantCompiler::place_of(const BuiltObject& object) {
+  const std::lock_guard lock(mutex_);
+  std::unique_ptr<Unchanged>& place = unchanged_[object.path];
+  if (!place) place = std::make_unique<Unchanged>();
+  return *place;
+}
+
+void MutantCompiler::prepare(const std::vector<const BuiltObject*>& objects) {
+  for (const BuiltObject* object : objects) {
+    if (!place_of(*object).begun.exchange(true)) unchanged(*object);
   }
-  std::call_once(known->compiled, [&] {
+}
+
+MutantCompiler::Unchanged& MutantCompiler::unchanged(const BuiltObject& object) {
+  Unchanged& known = place_of(object);
+  std::call_once(known.compiled, [&] {
+    known.begun = true;
     const Workplace place(scratch_);
     const std::string to = place.folder + "/right.o";
     const auto start = std::chrono::steady_clock::now();
     if (!compile_to(object, place.folder, places_.source + "/" + object.source, to))
       throw std::runtime_error("\"" + object.source + "\" does not compile as it is (build the program first)");
-    known->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    read_lines(*known, to);
+    known.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    read_lines(known, to);
     shell(place.folder, formatted("strip --strip-debug %s", quoted(to).c_str()));
-    known->bytes = read_whole(to);
+    known.bytes = read_whole(to);
   });
-  return *known;
+  return known;
 }
 
 // Parses objdump's line table: the name of a file with a colon, then rows that begin with its last

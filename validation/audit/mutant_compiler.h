@@ -1,10 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <fairlight/validation/audit/built_objects.h>
 #include <fairlight/validation/audit/mutants.h>
@@ -42,6 +44,9 @@ class MutantCompiler {
   /// Compiles an object of a mutant, unless it has been. Returns false if it does not compile.
   bool compile(Job& job, const BuiltObject& object);
 
+  /// Compiles right objects that are needed next and that no other thread has begun.
+  void prepare(const std::vector<const BuiltObject*>& objects);
+
   /// How often code in some lines of a file was generated in the right object, and the seconds that
   /// compiling it took.
   int code_in(const BuiltObject& object, const std::string& file, int first_line, int last_line);
@@ -52,6 +57,7 @@ class MutantCompiler {
 
  private:
   struct Unchanged {
+    std::atomic<bool> begun = false;
     std::once_flag compiled;
     std::string bytes;
     std::map<std::string, std::map<int, int>> code;  // rows of the line table, by file and line
@@ -61,6 +67,7 @@ class MutantCompiler {
   bool compile_to(const BuiltObject& object, const std::string& folder, const std::string& source,
                   const std::string& to);
   std::string with_header(const std::string& command);
+  Unchanged& place_of(const BuiltObject& object);
   Unchanged& unchanged(const BuiltObject& object);
   void read_lines(Unchanged& known, const std::string& object) const;
 

@@ -70,6 +70,22 @@ std::vector<bool> lines_of_checks(const std::vector<Line>& lines) {
   return checks;
 }
 
+// Whether each line is compiled only for instruction sets beyond the baseline, for which mutants are
+// compiled. Of nested conditions, any counts.
+std::vector<bool> lines_of_wide_sets(const std::vector<Line>& lines) {
+  static const std::regex opening(R"(^#\s*if)"), other(R"(^#\s*el)"), closing(R"(^#\s*endif)");
+  static const std::regex wide(R"((?:^|[^!])defined\(__AVX)");
+  std::vector<bool> inside, of_wide_sets;
+  for (const Line& line : lines) {
+    if (std::regex_search(line.code, closing) && !inside.empty()) inside.pop_back();
+    if (std::regex_search(line.code, opening)) inside.push_back(false);
+    if (!inside.empty() && (std::regex_search(line.code, opening) || std::regex_search(line.code, other)))
+      inside.back() = std::regex_search(line.code, wide);
+    of_wide_sets.push_back(std::ranges::find(inside, true) != inside.end());
+  }
+  return of_wide_sets;
+}
+
 // A function of a source, from its first line to its last.
 struct Function {
   std::string signature;  // its first line
@@ -147,9 +163,10 @@ std::vector<Mutant> mutants_of(const std::string& file, const std::string& text,
   }
   std::vector<Mutant> mutants;
   const std::vector<bool> checks = lines_of_checks(lines);
+  const std::vector<bool> wide = lines_of_wide_sets(lines);
   const std::vector<std::optional<Function>> functions = functions_of(lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!checks[i]) add_mutants(mutants, file, operators, lines[i], functions[i]);
+    if (!checks[i] && !wide[i]) add_mutants(mutants, file, operators, lines[i], functions[i]);
   }
   std::ranges::stable_sort(mutants, {}, &Mutant::begin);
   return mutants;

@@ -26,7 +26,7 @@ struct Mutant {
 };
 
 /// All mutants of a source by some operators, in the order of their places. It leaves out comments,
-/// strings, the preprocessor, template heads and checks that throw. Two rules that give the same
+/// strings, the preprocessor, template heads, checks that throw, and code for wide instruction sets. Two rules that give the same
 /// text count once.
 std::vector<Mutant> mutants_of(const std::string& file, const std::string& text,
                                Operators operators = Operators::all);

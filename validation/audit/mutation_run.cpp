@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* fate_names[] = {"killed", "killed by tests", "survived", "equivalent", "no program"};
-constexpr std::size_t most_tests = 3;
+constexpr std::size_t most_tests = 3, most_compiled_tests = 8;
 constexpr int seconds_to_end = 100;  // after its time, a program is between two draws within these
 constexpr int seconds_of_tests = 120;
 
@@ -84,6 +84,11 @@ int MutationRun::code_of(const Mutant& mutant, const std::string& object, int fi
 // file. Line tables leave out what the compiler computes, such as constants: hence the others.
 std::vector<std::string> MutationRun::with_code(const Mutant& mutant, const std::vector<std::string>& objects) {
   constexpr int last = 1 << 30;
+  std::vector<const BuiltObject*> built;
+  for (const std::string& object : objects) {
+    if (objects_.at(object).source != mutant.file) built.push_back(&objects_.at(object));
+  }
+  compiler_.prepare(built);
   const std::pair<int, int> ranges[] = {
       {mutant.line, mutant.line}, {mutant.first_line, mutant.last_line}, {1, last}};
   for (const auto& [first_line, last_line] : ranges) {
@@ -181,11 +186,13 @@ Fate MutationRun::judge_in(MutantCompiler::Job& job) {
 
 Fate MutationRun::judge_by_tests(MutantCompiler::Job& job, std::string run) {
   std::vector<std::string> tests = objects_.tests_with(job.mutant.file);
-  tests.resize(std::min(tests.size(), most_tests));
+  tests.resize(std::min(tests.size(), most_compiled_tests));
+  std::size_t tests_run = 0;
   std::vector<std::string> library;
   std::ranges::copy_if(objects_.with(job.mutant.file), std::back_inserter(library),
                        [&](const std::string& object) { return !is_claims(objects_.at(object).source); });
   for (const std::string& test : tests) {
+    if (tests_run == most_tests) break;
     std::vector<std::string> needed;
     {
       const std::lock_guard lock(mutex_);
@@ -197,9 +204,11 @@ Fate MutationRun::judge_by_tests(MutantCompiler::Job& job, std::string run) {
     if (objects_.at(test).files.contains(job.mutant.file)) needed.push_back(test);
     if (!compile_all(job, needed)) return {Fate::Kind::no_program, objects_.at(test).source};
     if (std::ranges::none_of(needed, [&](const std::string& object) { return job.changed.at(object); })) continue;
+    ++tests_run;
     if (test_fails(job, test)) return {Fate::Kind::killed_by_tests, objects_.at(test).source};
     run += (run.empty() ? "" : " ") + objects_.at(test).source;
   }
+  if (job.changed.empty()) return {Fate::Kind::survived, "nothing: no claim and no test is built from it"};
   return run.empty() ? Fate{Fate::Kind::equivalent, ""} : Fate{Fate::Kind::survived, run};
 }
 
@@ -231,10 +240,10 @@ std::string MutationRun::killer(const MutantCompiler::Job& job, const std::vecto
   }
   const std::string findings = job.place.folder + "/findings.json";
   fs::remove(findings);
+  const double seconds = std::min(limits_.seconds, limits_.verify * static_cast<double>(claim_files.size()));
   const std::string verify = formatted(
       "timeout %d ./program verify%s --seconds %g --fail-fast --instructions %s --threads 1 --json findings.json",
-      static_cast<int>(limits_.verify) + seconds_to_end, claims.c_str(), limits_.verify,
-      claimed_instructions().front().c_str());
+      static_cast<int>(seconds) + seconds_to_end, claims.c_str(), seconds, claimed_instructions().front().c_str());
   const int status = shell(job.place.folder, verify);
   if (!fs::exists(findings))
     return status == 124 ? "it does not end" : "it stopped with the status " + std::to_string(status);
