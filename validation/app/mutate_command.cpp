@@ -107,9 +107,10 @@ int mutate(const MutateOptions& options) {
     if (!file.empty()) AtomicFile::check_writable(file);
   }
   const std::string seed = options.seed.empty() ? seed_text(fresh_seed()) : options.seed;
-  const std::vector<Mutant> all = all_mutants(this_build(), options);
-  std::vector<Mutant> mutants = sample_of(all, options.sample, parse_seed(seed));
+  const std::uint64_t number = parse_seed(seed);
   MutationResults results(options.results);
+  const std::vector<Mutant> all = all_mutants(this_build(), options);
+  std::vector<Mutant> mutants = sample_of(all, options.sample, number);
   std::fprintf(stderr, "a sample of %zu of %zu mutants, seed %s\n", mutants.size(), all.size(), seed.c_str());
   run_mutants(mutants, options, results);
   std::ranges::sort(mutants, {}, [](const Mutant& m) { return std::pair(m.file, m.begin); });
