@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* fate_names[] = {"killed", "killed by tests", "survived", "equivalent", "no program"};
 constexpr std::size_t most_tests = 3, most_compiled_tests = 8;
-constexpr int seconds_to_end = 100;  // after its time, a program is between two draws within these
+constexpr int seconds_to_end = 30;  // after its time, a program is between two draws within these
 constexpr int seconds_of_tests = 120;
 
 class Clock {
@@ -101,11 +101,11 @@ std::vector<std::string> MutationRun::with_code(const Mutant& mutant, const std:
   return objects;
 }
 
-// What runs with the claims of an object: the library objects that it calls, and those that run
-// claims.
-std::set<std::string> MutationRun::called_in_verify(const std::string& claims) {
+// The library objects that claims call and, if asked, those that run claims.
+std::set<std::string> MutationRun::called_by(const std::string& claims, bool in_any_run) {
   const std::lock_guard lock(mutex_);
   std::set<std::string> called = objects_.called_by(claims);
+  if (!in_any_run) return called;
   const std::string runner = objects_.of_source("validation/run/run_claims.cpp");
   called.insert(runner);
   std::ranges::copy(objects_.called_by(runner), std::inserter(called, called.end()));
@@ -125,13 +125,13 @@ double MutationRun::worth_of(const Mutant& mutant, const Stage& stage) {
 // A file of claims with code from the mutant is a stage of its own, with the library objects that
 // have such code and that it calls: most code for its time first. All claims that call such library
 // objects but have no such code themselves run together, as they need not be compiled.
-std::vector<MutationRun::Stage> MutationRun::stages_of(const Mutant& mutant) {
+std::vector<MutationRun::Stage> MutationRun::stages_of(const Mutant& mutant, bool in_any_run) {
   std::map<std::string, std::set<std::string>> called;  // by object of claims
   std::set<std::string> reached;
   for (const Claim& claim : registry()) {
     const auto [own, is_new] = called.try_emplace(objects_.of_source("validation/claims/" + claim.file));
     if (!is_new) continue;
-    own->second = called_in_verify(own->first);
+    own->second = called_by(own->first, in_any_run);
     own->second.insert(own->first);
     reached.insert(own->second.begin(), own->second.end());
   }
@@ -171,7 +171,9 @@ Fate MutationRun::judge_in(MutantCompiler::Job& job) {
   const Clock clock;
   std::string run;
   std::size_t files = 0;
-  for (const Stage& stage : stages_of(job.mutant)) {
+  std::vector<Stage> stages = stages_of(job.mutant, false);
+  if (stages.empty()) stages = stages_of(job.mutant, true);
+  for (const Stage& stage : stages) {
     if (files == limits_.files || (files > 0 && clock.seconds() > limits_.seconds)) break;
     if (!compile_all(job, stage.objects)) return {Fate::Kind::no_program, list_of_sources(objects_, stage.objects)};
     if (std::ranges::none_of(stage.objects, [&](const std::string& object) { return job.changed.at(object); }))
@@ -205,35 +207,30 @@ Fate MutationRun::judge_by_tests(MutantCompiler::Job& job, std::string run) {
     if (!compile_all(job, needed)) return {Fate::Kind::no_program, objects_.at(test).source};
     if (std::ranges::none_of(needed, [&](const std::string& object) { return job.changed.at(object); })) continue;
     ++tests_run;
-    if (test_fails(job, test)) return {Fate::Kind::killed_by_tests, objects_.at(test).source};
+    if (test_fails(job, test, needed)) return {Fate::Kind::killed_by_tests, objects_.at(test).source};
     run += (run.empty() ? "" : " ") + objects_.at(test).source;
   }
   if (job.changed.empty()) return {Fate::Kind::survived, "nothing: no claim and no test is built from it"};
   return run.empty() ? Fate{Fate::Kind::equivalent, ""} : Fate{Fate::Kind::survived, run};
 }
 
-// Links a program with the changed objects before its own; a linker takes the first definition, and
-// needs no object of an archive whose functions it has. Returns the program.
-std::string MutationRun::link(const MutantCompiler::Job& job, const std::string& command,
-                              const std::string& program, const std::string& before) const {
-  std::string objects = before;
-  for (const auto& [path, changed] : job.changed) {
-    const bool part = is_claims(objects_.at(path).source) ? program == "fairlight"
-                                                          : !objects_.at(path).source.starts_with("tests/");
-    if (changed && part) objects += " " + quoted(MutantCompiler::file_of(job, objects_.at(path)));
-  }
-  const std::string to = job.place.folder + "/program";
-  const std::string link =
-      std::regex_replace(BuiltObjects::with_options(command, objects), std::regex(" -o " + program + " "),
-                         formatted(" -o '%s' ", to.c_str()));
-  if (shell(places_.build, link) != 0)
-    throw std::runtime_error(program + " cannot be linked with a changed source (try ninja)");
-  return to;
+// Links a program with changed objects before its own; a linker takes the first definition, and needs
+// no object of an archive whose functions it has. Returns whether it could.
+bool MutationRun::link(const MutantCompiler::Job& job, const std::string& command, const std::string& program,
+                       const std::string& objects) const {
+  const std::string to = formatted(" -o '%s/program' ", job.place.folder.c_str());
+  return shell(places_.build, std::regex_replace(BuiltObjects::with_options(command, objects),
+                                                 std::regex(" -o " + program + " "), to)) == 0;
 }
 
 // The name of a claim that fails, or how the program stopped. Empty if none fails.
 std::string MutationRun::killer(const MutantCompiler::Job& job, const std::vector<std::string>& claim_files) const {
-  link(job, link_, "fairlight", "");
+  std::string objects;
+  for (const auto& [path, changed] : job.changed) {
+    if (changed) objects += " " + quoted(MutantCompiler::file_of(job, objects_.at(path)));
+  }
+  if (!link(job, link_, "fairlight", objects))
+    throw std::runtime_error("fairlight cannot be linked with \"" + job.mutant.name() + "\" (try ninja)");
   std::string claims;
   for (const Claim& claim : registry()) {
     if (std::ranges::find(claim_files, claim.file) != claim_files.end()) claims += " " + quoted(claim.name);
@@ -258,13 +255,15 @@ std::string MutationRun::killer(const MutantCompiler::Job& job, const std::vecto
 }
 
 // Links one test alone, by the link command of the program with all tests of its folder.
-bool MutationRun::test_fails(const MutantCompiler::Job& job, const std::string& test) const {
-  static const std::regex objects(R"( tests/CMakeFiles/\S+\.o\b)");
+bool MutationRun::test_fails(const MutantCompiler::Job& job, const std::string& test,
+                             const std::vector<std::string>& needed) const {
+  static const std::regex own(R"( tests/CMakeFiles/\S+\.o\b)");
   const std::string program =
       "tests/" + fs::path(objects_.at(test).source).parent_path().filename().string() + "_tests";
-  const bool changed = job.changed.contains(test) && job.changed.at(test);
-  link(job, std::regex_replace(objects_.link_command(program), objects, ""), program,
-       changed ? quoted(MutantCompiler::file_of(job, objects_.at(test))) : test);
+  std::string objects = std::ranges::find(needed, test) == needed.end() ? test : "";
+  for (const std::string& path : needed) objects += " " + quoted(MutantCompiler::file_of(job, objects_.at(path)));
+  if (!link(job, std::regex_replace(objects_.link_command(program), own, ""), program, objects))
+    throw std::runtime_error(test + " cannot be linked with \"" + job.mutant.name() + "\" (try ninja)");
   return shell(job.place.folder, formatted("timeout %d ./program", seconds_of_tests)) != 0;
 }
 

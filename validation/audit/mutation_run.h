@@ -52,18 +52,19 @@ class MutationRun {
     double worth = 0;  ///< code from the changed lines, for each second of compiling
   };
 
-  std::set<std::string> called_in_verify(const std::string& claims);
+  std::set<std::string> called_by(const std::string& claims, bool in_any_run);
   double worth_of(const Mutant& mutant, const Stage& stage);
-  std::vector<Stage> stages_of(const Mutant& mutant);
+  std::vector<Stage> stages_of(const Mutant& mutant, bool in_any_run);
   std::vector<std::string> with_code(const Mutant& mutant, const std::vector<std::string>& objects);
   int code_of(const Mutant& mutant, const std::string& object, int first_line, int last_line);
   Fate judge_in(MutantCompiler::Job& job);
   bool compile_all(MutantCompiler::Job& job, const std::vector<std::string>& objects);
-  std::string link(const MutantCompiler::Job& job, const std::string& command, const std::string& program,
-                   const std::string& before) const;
+  bool link(const MutantCompiler::Job& job, const std::string& command, const std::string& program,
+            const std::string& objects) const;
   std::string killer(const MutantCompiler::Job& job, const std::vector<std::string>& claim_files) const;
   Fate judge_by_tests(MutantCompiler::Job& job, std::string run);
-  bool test_fails(const MutantCompiler::Job& job, const std::string& test) const;
+  bool test_fails(const MutantCompiler::Job& job, const std::string& test,
+                  const std::vector<std::string>& needed) const;
 
   BuildPlaces places_;
   MutationLimits limits_;
