@@ -103,6 +103,9 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input("audit mutate estimators/cane.h", "estimators/cone.h");
   expect_bad_input("audit mutate --seed mutant", "mutant");
   expect_bad_input("audit mutate --results .", "cannot write");
+  expect_bad_input("audit mutate --json .", "cannot write");
+  expect_bad_input("audit mutate --operators typos", "typos");
+  expect_bad_input("audit mutate --seconds 0", "seconds");
 }
 
 TEST(Program, RefusesOptionsThatAreNoNumbers) {

@@ -13,10 +13,11 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 std::vector<std::string> changes(const std::string& line) {
   std::vector<std::string> after;
-  for (const Mutant& mutant : mutants_of("estimators/x.h", line)) after.push_back(mutant.after);
+  for (const Mutant& mutant : mutants_of("estimators/x.h", line, Operators::slips)) after.push_back(mutant.after);
   return after;
 }
 
@@ -66,13 +67,13 @@ TEST(Mutants, ChangeMasksThatNoCheckIsAbout) {
 
 TEST(Mutants, AreNamedByTheirPlaceAndChange) {
   const std::string text = "x;\n  a - b;\n";
-  const Mutant mutant = mutants_of("estimators/x.h", text).at(0);
+  const Mutant mutant = mutants_of("estimators/x.h", text, Operators::slips).at(0);
   EXPECT_EQ(mutant.name(), "estimators/x.h:2:5 a - b; => a + b;");
   EXPECT_EQ(mutated(text, mutant), "x;\n  a + b;\n");
 }
 
 TEST(Mutants, AreSampledBySeed) {
-  const auto all = mutants_of("x.h", "a + b + c + d + e + f + g + h");
+  const auto all = mutants_of("x.h", "a + b + c + d + e + f + g + h", Operators::slips);
   const auto names = [&](std::size_t n, std::uint64_t seed) {
     std::vector<std::string> chosen;
     for (const Mutant& mutant : sample_of(all, n, seed)) chosen.push_back(mutant.name());
@@ -91,6 +92,13 @@ TEST(Mutants, AreSampledBySeed) {
 std::vector<Mutant> mutants_in(const std::string& file) {
   std::ifstream stream(FAIRLIGHT_SOURCE_DIR "/" + file);
   return mutants_of(file, {std::istreambuf_iterator<char>(stream), {}});
+}
+
+TEST(Mutants, AreSampledKindByKind) {
+  const auto all = mutants_of("x.h", "a + b + c + d + e + f + g + h < i", Operators::slips);
+  std::vector<std::string> kinds;
+  for (const Mutant& mutant : sample_of(all, 2, 1)) kinds.push_back(mutant.kind);
+  EXPECT_THAT(kinds, UnorderedElementsAre("operator", "order"));
 }
 
 TEST(Mutants, AreFoundInTheKitItself) { EXPECT_GT(mutants_in("estimators/cone.h").size(), 5); }

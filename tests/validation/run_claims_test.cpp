@@ -141,6 +141,24 @@ TEST(RunClaims, TakeTheLongestFirstAndInHasteWhatLooksWrongThenTheShortest) {
   }
 }
 
+TEST(RunClaims, StopAtTheFirstFailureIfAsked) {
+  const std::vector<Claim>& rows = registry();
+  Claim bad = rows[0], good = rows[1];
+  bad.check = [](const Trial&) { return Finding{Verdict::biased}; };
+  int runs = 0;
+  good.check = [&runs](const Trial&) {
+    ++runs;
+    return Finding{Verdict::certified};
+  };
+  RunOptions run_options = quick;
+  EXPECT_FALSE(run_claims({&bad, &good}, run_options)[1].out_of_time);
+  EXPECT_EQ(runs, 1);
+  run_options.fail_fast = true;
+  EXPECT_TRUE(run_claims({&bad, &good}, run_options)[1].out_of_time);
+  EXPECT_EQ(runs, 1);
+  EXPECT_FALSE(run_claims({&good, &bad}, run_options)[0].out_of_time) << "it ran before";
+}
+
 TEST(RunClaims, SayWhichClaimRefusesItsTerms) {
   Claim claim = registry()[0];
   claim.check = [](const Trial&) -> Finding { throw std::invalid_argument("why so"); };

@@ -233,6 +233,8 @@ void add_running(CLI::App& app, VerifyOptions& options) {
   add_number(app, "--seconds", options.run_options.seconds, {.low = 0},
              "Stop after this many seconds: first what looks wrong runs, then what is soon done; the rest is "
              "undecided. No limit if not given.");
+  app.add_flag("--fail-fast", options.run_options.fail_fast,
+               "Stop at the first claim that fails; what has no verdict then is undecided.");
   add_threads(app, options.run_options.threads);
 }
 

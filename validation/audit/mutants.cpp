@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <functional>
+#include <map>
+#include <optional>
 #include <random>
 #include <regex>
 #include <set>
@@ -9,58 +10,6 @@
 
 namespace fairlight {
 namespace {
-
-using Replacement = std::function<std::string(const std::string&)>;
-
-struct Rule {
-  std::string kind;
-  std::regex pattern;       // the first group is replaced
-  Replacement replacement;  // gives the new text
-};
-
-Replacement always(const std::string& text) {
-  return [text](const std::string&) { return text; };
-}
-
-// Makes a number 2 % larger: "1" becomes "1.02". It has no suffix f, since a whole number with an f
-// is not a literal.
-std::string larger(const std::string& number) {
-  const double value = std::stod(number);
-  return formatted("%.6g", value == 0 ? 0.02 : 1.02 * value);
-}
-
-std::string escaped(const std::string& symbols) {
-  std::string pattern;
-  for (const char c : symbols) pattern += formatted("[%c]", c);
-  return pattern;
-}
-
-std::vector<Rule> all_rules() {
-  std::vector<Rule> rules;
-  const auto swap = [&](const std::string& kind, const std::string& a, const std::string& b) {
-    rules.push_back({kind, std::regex(formatted(" (%s) ", escaped(a).c_str())), always(b)});
-    rules.push_back({kind, std::regex(formatted(" (%s) ", escaped(b).c_str())), always(a)});
-  };
-  const auto replace = [&](const std::string& kind, const char* pattern, const Replacement& replacement) {
-    rules.push_back({kind, std::regex(pattern), replacement});
-  };
-  swap("operator", "+", "-");
-  swap("operator", "*", "/");
-  swap("operator", "+=", "-=");
-  swap("operator", "*=", "/=");
-  swap("order", "<", ">");
-  swap("order", "<=", ">=");
-  swap("logic", "&&", "||");
-  replace("constant", R"(\b(?:Real|double|rounded<Real>)\((\d+(?:\.\d+)?)\))", larger);
-  replace("constant", R"(\b(pi<Real>))", always("(Real(1.02) * pi<Real>)"));
-  replace("cosine", R"(\.(z)\(\))", always("x"));
-  replace("cosine", R"(\b(cos)\()", always("sin"));
-  replace("cosine", R"(\b(sin)\()", always("cos"));
-  replace("sign", R"((?:return |\(|= |, )(-)[\w(])", always(""));
-  replace("extreme", R"(\b(min)\()", always("max"));
-  replace("extreme", R"(\b(max)\()", always("min"));
-  return rules;
-}
 
 bool is_check(const std::string& line) {
   static const std::regex check(
@@ -121,20 +70,78 @@ std::vector<bool> lines_of_checks(const std::vector<Line>& lines) {
   return checks;
 }
 
-void add_mutants(std::vector<Mutant>& mutants, const std::string& file, const Line& line) {
-  static const std::vector<Rule> rules = all_rules();
-  for (const Rule& rule : rules) {
+// Whether each line is compiled only for instruction sets beyond the baseline, for which mutants are
+// compiled. Of nested conditions, any counts.
+std::vector<bool> lines_of_wide_sets(const std::vector<Line>& lines) {
+  static const std::regex opening(R"(^#\s*if)"), other(R"(^#\s*el)"), closing(R"(^#\s*endif)");
+  static const std::regex wide(R"((?:^|[^!])defined\(__AVX)");
+  std::vector<bool> inside, of_wide_sets;
+  for (const Line& line : lines) {
+    if (std::regex_search(line.code, closing) && !inside.empty()) inside.pop_back();
+    if (std::regex_search(line.code, opening)) inside.push_back(false);
+    if (!inside.empty() && (std::regex_search(line.code, opening) || std::regex_search(line.code, other)))
+      inside.back() = std::regex_search(line.code, wide);
+    of_wide_sets.push_back(std::ranges::find(inside, true) != inside.end());
+  }
+  return of_wide_sets;
+}
+
+// A function of a source, from its first line to its last.
+struct Function {
+  std::string signature;  // its first line
+  int first, last;
+};
+
+// The functions around each line, of code that clang-format has laid out: a function begins with a
+// line that has a name and a parenthesis, and ends with the brace in the column where it began.
+std::vector<std::optional<Function>> functions_of(const std::vector<Line>& lines) {
+  static const std::regex head(
+      R"(^( {0,4})(?!return |if |for |while |switch |else|using |#|\}|:|namespace)[^;=]*?\b[~\w]+\([^;]*$)");
+  static const std::regex whole(R"(^ {0,4}\S[^=]*?\b\w+\(.*\{ .* \}$)");
+  std::vector<std::optional<Function>> functions(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::smatch match;
+    if (std::regex_search(lines[i].code, whole)) {
+      functions[i] = Function{lines[i].code, lines[i].number, lines[i].number};
+      continue;
+    }
+    if (!std::regex_search(lines[i].code, match, head)) continue;
+    const std::string end = match[1].str() + "}";
+    std::size_t last = i + 1;
+    while (last < lines.size() && lines[last].code.find_first_not_of(' ') >= end.size() && lines[last].code != end)
+      ++last;
+    if (last == lines.size() || !lines[last].code.starts_with(end)) continue;
+    for (std::size_t k = i; k <= last; ++k)
+      functions[k] = Function{lines[i].code, lines[i].number, lines[last].number};
+    i = last;
+  }
+  return functions;
+}
+
+bool applies(const MutationRule& rule, Operators operators, const Line& line,
+             const std::optional<Function>& function) {
+  if (operators != Operators::all && rule.of != operators) return false;
+  if (line.code.find(rule.needs) == std::string::npos) return false;
+  // Errors of meaning are about numbers: a line with a text makes a message.
+  if (rule.of == Operators::meaning && line.text.find('"') != std::string::npos) return false;
+  return rule.any_function || (function && std::regex_search(function->signature, rule.signature));
+}
+
+void add_mutants(std::vector<Mutant>& mutants, const std::string& file, Operators operators, const Line& line,
+                 const std::optional<Function>& function) {
+  std::set<std::string> texts{line.text};
+  for (const MutationRule& rule : mutation_rules()) {
+    if (!applies(rule, operators, line, function)) continue;
     for (std::sregex_iterator match(line.code.begin(), line.code.end(), rule.pattern), end; match != end; ++match) {
       const auto place = static_cast<std::size_t>(match->position(1));
       const auto length = static_cast<std::size_t>(match->length(1));
-      Mutant mutant{
-          file, rule.kind, line.number, place + 1, line.begin + place, length, rule.replacement((*match)[1]),
-          {},   {}};
       std::string after = line.text;
-      after.replace(place, length, mutant.replacement);
-      mutant.before = trimmed(line.text);
-      mutant.after = trimmed(after);
-      mutants.push_back(std::move(mutant));
+      const std::string replacement = rule.replacement(*match);
+      after.replace(place, length, replacement);
+      if (!texts.insert(after).second) continue;
+      mutants.push_back({file, rule.kind, line.number, place + 1, line.begin + place, length, replacement,
+                         trimmed(line.text), trimmed(after), function ? function->first : line.number,
+                         function ? function->last : line.number});
     }
   }
 }
@@ -145,7 +152,7 @@ std::string Mutant::name() const {
   return formatted("%s:%d:%zu %s => %s", file.c_str(), line, column, before.c_str(), after.c_str());
 }
 
-std::vector<Mutant> mutants_of(const std::string& file, const std::string& text) {
+std::vector<Mutant> mutants_of(const std::string& file, const std::string& text, Operators operators) {
   const std::string code = code_of(text);
   std::vector<Line> lines;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -156,8 +163,10 @@ std::vector<Mutant> mutants_of(const std::string& file, const std::string& text)
   }
   std::vector<Mutant> mutants;
   const std::vector<bool> checks = lines_of_checks(lines);
+  const std::vector<bool> wide = lines_of_wide_sets(lines);
+  const std::vector<std::optional<Function>> functions = functions_of(lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!checks[i]) add_mutants(mutants, file, lines[i]);
+    if (!checks[i] && !wide[i]) add_mutants(mutants, file, operators, lines[i], functions[i]);
   }
   std::ranges::stable_sort(mutants, {}, &Mutant::begin);
   return mutants;
@@ -171,7 +180,13 @@ std::string mutated(const std::string& text, const Mutant& mutant) {
 std::vector<Mutant> sample_of(const std::vector<Mutant>& all, std::size_t n, std::uint64_t seed) {
   std::vector<Mutant> chosen = all;
   std::ranges::shuffle(chosen, std::mt19937_64(seed));
-  chosen.resize(std::min(chosen.size(), n));
+  std::map<std::string, std::size_t> drawn;
+  std::vector<std::pair<std::size_t, Mutant>> turns;
+  for (Mutant& mutant : chosen) turns.emplace_back(drawn[mutant.kind]++, std::move(mutant));
+  std::ranges::stable_sort(turns, {}, &std::pair<std::size_t, Mutant>::first);
+  turns.resize(std::min(turns.size(), n));
+  chosen.clear();
+  for (auto& [turn, mutant] : turns) chosen.push_back(std::move(mutant));
   return chosen;
 }
 

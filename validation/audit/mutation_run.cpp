@@ -2,6 +2,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <stdexcept>
 
@@ -18,53 +19,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* fate_names[] = {"killed", "survived", "equivalent", "no program"};
+constexpr const char* fate_names[] = {"killed", "killed by tests", "survived", "equivalent", "no program"};
+constexpr std::size_t most_tests = 3, most_compiled_tests = 8;
+constexpr int seconds_to_end = 30;  // after its time, a program is between two draws within these
+constexpr int seconds_of_tests = 120;
 
-std::string quoted(const std::string& path) { return formatted("'%s'", path.c_str()); }
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
-int shell(const std::string& folder, const std::string& command) {
-  return run_process({"sh", "-c", formatted("cd '%s' && %s", folder.c_str(), command.c_str())}).status;
-}
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 constexpr std::string_view claims_folder = "validation/claims/";
 
-// The command that compiles each source for the baseline instruction set, without the name of the
-// object.
-std::map<std::string, std::string> compile_commands(const BuildPlaces& places) {
-  std::map<std::string, std::string> commands;
-  for (const auto& entry : nlohmann::json::parse(read_whole(places.build + "/compile_commands.json"))) {
-    const std::string file = entry["file"], command = entry["command"];
-    if (!file.starts_with(places.source + "/") || command.find("FAIRLIGHT_ENTRY") != std::string::npos) continue;
-    commands[file.substr(places.source.size() + 1)] = std::regex_replace(command, std::regex(" -o \\S+"), "");
-  }
-  return commands;
-}
+bool is_claims(const std::string& source) { return source.starts_with(claims_folder); }
 
-// The command that links one of the programs of the build.
-std::string link_command(const BuildPlaces& places, const std::string& program) {
-  const std::string all = run_process({"ninja", "-C", places.build, "-t", "commands", program}).out;
-  const std::size_t end = all.find_last_not_of('\n') + 1;
-  const std::size_t begin = all.rfind('\n', end - 1) + 1;
-  std::string last = all.substr(begin, end - begin);
-  if (last.find(formatted(" -o %s ", program.c_str())) == std::string::npos) {
-    throw std::runtime_error("it is not known how \"" + places.build + "\" links " + program +
-                             " (build it with ninja)");
-  }
-  return last;
-}
-
-// Adds options after the name of the compiler, which is the first word with a path.
-std::string with_options(const std::string& command, const std::string& options) {
-  static const std::regex compiler(R"(^((?:: && )?\S+))");
-  return std::regex_replace(command, compiler, "$1 " + options, std::regex_constants::format_first_only);
-}
-
-std::vector<std::string> components_of(const std::string& text) {
-  static const std::regex declaration(R"((?:^|\n)(?:struct|class) (\w+))");
-  std::vector<std::string> names;
-  for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match)
-    names.push_back((*match)[1]);
-  return names;
+std::string list_of_sources(const BuiltObjects& objects, const std::vector<std::string>& paths) {
+  std::string list;
+  for (const std::string& path : paths) list += (list.empty() ? "" : " ") + objects.at(path).source;
+  return list;
 }
 
 }  // namespace
@@ -77,187 +54,217 @@ Fate::Kind fate_named(const std::string& name) {
   return static_cast<Fate::Kind>(found - std::begin(fate_names));
 }
 
-MutationRun::Workplace::Workplace(const std::string& parent) : folder(parent + "/fairlight-mutate-XXXXXX") {
-  if (mkdtemp(folder.data()) == nullptr)
-    throw std::runtime_error("cannot make a folder in \"" + parent + "\" (is it full? TMPDIR names another)");
-}
-
-MutationRun::Workplace::~Workplace() {
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-}
-
-MutationRun::MutationRun(const BuildPlaces& places)
+MutationRun::MutationRun(const BuildPlaces& places, const MutationLimits& limits)
     : places_(places),
+      limits_(limits),
       scratch_(fs::temp_directory_path().string()),
-      link_(link_command(places, "fairlight")),
-      sources_(places),
-      compile_(compile_commands(places)) {
-  for (const Claim& claim : registry()) sources_.files_of(claim.file);  // throws if one is newer than the program
+      objects_(places),
+      compiler_(places, scratch_.folder),
+      link_(objects_.link_command("fairlight")) {
+  Sources sources(places);
+  for (const Claim& claim : registry()) sources.files_of(claim.file);  // throws if one is newer than the program
 }
 
-std::vector<std::string> MutationRun::concerned(const std::string& source) {
-  const std::lock_guard lock(mutex_);
-  const std::vector<std::string> names = components_of(read_whole(places_.source + "/" + source));
-  std::map<std::string, int> about;
-  for (const Claim& claim : registry()) {
-    if (!sources_.files_of(claim.file).contains(source)) continue;
-    about[claim.file] += static_cast<int>(std::ranges::count_if(claim.subjects, [&](const std::string& subject) {
-      return std::ranges::find(names, subject) != names.end();
-    }));
-  }
-  std::vector<std::string> files;
-  for (const auto& [file, claims] : about) files.push_back(file);
-  std::ranges::stable_sort(files, [&](const std::string& a, const std::string& b) { return about[a] > about[b]; });
-  return files;
-}
-
-std::vector<std::string> MutationRun::tests_of(const std::string& source) const {
-  const std::vector<std::string> names = components_of(read_whole(places_.source + "/" + source));
-  const std::string stem = "tests/" + fs::path(source).replace_extension().string();
-  std::vector<std::pair<std::ptrdiff_t, std::string>> about;
-  for (const auto& [file, command] : compile_) {
-    if (!file.starts_with(fs::path(stem).parent_path().string() + "/")) continue;
-    const std::string text = read_whole(places_.source + "/" + file);
-    std::ptrdiff_t mentions = file == stem + "_test.cpp" ? 1000 : 0;
-    for (const std::string& name : names) {
-      const std::regex mention("\\b" + name + "\\b");
-      mentions += std::distance(std::sregex_iterator(text.begin(), text.end(), mention), std::sregex_iterator());
-    }
-    if (mentions > 0) about.emplace_back(-mentions, file);
-  }
-  std::ranges::sort(about);
-  about.resize(std::min<std::size_t>(about.size(), 3));
-  std::vector<std::string> tests;
-  for (const auto& [order, file] : about) tests.push_back(file);
-  return tests;
-}
-
-Fate MutationRun::judge(const Mutant& mutant, std::size_t most_files) {
-  const auto start = std::chrono::steady_clock::now();
-  const Workplace place(scratch_.folder);
-  Fate fate = judge_in(place, mutant, most_files);
-  fate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+Fate MutationRun::judge(const Mutant& mutant) {
+  const Clock clock;
+  MutantCompiler::Job job(scratch_.folder, mutant);
+  compiler_.begin(job);
+  Fate fate = judge_in(job);
+  fate.seconds = clock.seconds();
   return fate;
 }
 
-Fate MutationRun::judge_in(const Workplace& place, const Mutant& mutant, std::size_t most_files) {
-  const fs::path header = fs::path(place.folder) / "include/fairlight" / mutant.file;
-  fs::create_directories(header.parent_path());
-  write_whole(header.string(), mutated(read_whole(places_.source + "/" + mutant.file), mutant));
-  std::vector<std::string> files = concerned(mutant.file);
-  for (std::string& file : files) file.insert(0, claims_folder);
-  const std::vector<std::string> tests =
-      tests_of(mutant.file);  // a test takes less time than another file of claims
-  files.insert(files.begin() + std::min<std::ptrdiff_t>(1, std::ssize(files)), tests.begin(), tests.end());
-  std::string run;
-  std::size_t of_claims = 0;
-  for (const std::string& file : files) {
-    const bool is_test = !file.starts_with(claims_folder);
-    if (!is_test && of_claims == most_files) continue;
-    if (!compile(place, file)) return {Fate::Kind::no_program, file};
-    if (same_as_unchanged(place, file)) continue;
-    const std::string by = is_test ? failing_test(place, file) : killer(place, file.substr(claims_folder.size()));
-    if (!by.empty()) return {Fate::Kind::killed, by};
-    run += (run.empty() ? "" : " ") + file;
-    of_claims += is_test ? 0 : 1;
+// A .cpp is one object, all of whose code may have changed.
+int MutationRun::code_of(const Mutant& mutant, const std::string& object, int first_line, int last_line) {
+  const BuiltObject& built = objects_.at(object);
+  return built.source == mutant.file ? 1 : compiler_.code_in(built, mutant.file, first_line, last_line);
+}
+
+// The objects with code from the line of the mutant, or else from its function, or else from its
+// file. Line tables leave out what the compiler computes, such as constants: hence the others.
+std::vector<std::string> MutationRun::with_code(const Mutant& mutant, const std::vector<std::string>& objects) {
+  constexpr int last = 1 << 30;
+  std::vector<const BuiltObject*> built;
+  for (const std::string& object : objects) {
+    if (objects_.at(object).source != mutant.file) built.push_back(&objects_.at(object));
   }
+  compiler_.prepare(built);
+  const std::pair<int, int> ranges[] = {
+      {mutant.line, mutant.line}, {mutant.first_line, mutant.last_line}, {1, last}};
+  for (const auto& [first_line, last_line] : ranges) {
+    std::vector<std::string> found;
+    std::ranges::copy_if(objects, std::back_inserter(found), [&](const std::string& object) {
+      return code_of(mutant, object, first_line, last_line) > 0;
+    });
+    if (!found.empty()) return found;
+  }
+  return objects;
+}
+
+// The library objects that claims call and, if asked, those that run claims.
+std::set<std::string> MutationRun::called_by(const std::string& claims, bool in_any_run) {
+  const std::lock_guard lock(mutex_);
+  std::set<std::string> called = objects_.called_by(claims);
+  if (!in_any_run) return called;
+  const std::string runner = objects_.of_source("validation/run/run_claims.cpp");
+  called.insert(runner);
+  std::ranges::copy(objects_.called_by(runner), std::inserter(called, called.end()));
+  return called;
+}
+
+// The code of a stage from the line of the mutant, for each second that its objects take to compile.
+double MutationRun::worth_of(const Mutant& mutant, const Stage& stage) {
+  double code = 1, seconds = 1;
+  for (const std::string& object : stage.objects) {
+    if (is_claims(objects_.at(object).source)) code += code_of(mutant, object, mutant.line, mutant.line);
+    seconds += compiler_.seconds_of(objects_.at(object));
+  }
+  return code / seconds;
+}
+
+// A file of claims with code from the mutant is a stage of its own, with the library objects that
+// have such code and that it calls: most code for its time first. All claims that call such library
+// objects but have no such code themselves run together, as they need not be compiled.
+std::vector<MutationRun::Stage> MutationRun::stages_of(const Mutant& mutant, bool in_any_run) {
+  std::map<std::string, std::set<std::string>> called;  // by object of claims
+  std::set<std::string> reached;
+  for (const Claim& claim : registry()) {
+    const auto [own, is_new] = called.try_emplace(objects_.of_source("validation/claims/" + claim.file));
+    if (!is_new) continue;
+    own->second = called_by(own->first, in_any_run);
+    own->second.insert(own->first);
+    reached.insert(own->second.begin(), own->second.end());
+  }
+  std::vector<std::string> candidates;
+  std::ranges::copy_if(objects_.with(mutant.file), std::back_inserter(candidates),
+                       [&](const std::string& object) { return reached.contains(object); });
+  const std::vector<std::string> concerned = with_code(mutant, candidates);
+  std::vector<Stage> stages;
+  Stage others;
+  for (const auto& [own, all] : called) {
+    const std::string file = objects_.at(own).source.substr(claims_folder.size());
+    Stage stage{{file}, {}};
+    std::ranges::copy_if(concerned, std::back_inserter(stage.objects),
+                         [&, objects = &all](const std::string& object) { return objects->contains(object); });
+    if (std::ranges::find(stage.objects, own) != stage.objects.end()) {
+      stage.worth = worth_of(mutant, stage);
+      stages.push_back(std::move(stage));
+    } else if (!stage.objects.empty()) {
+      others.claim_files.push_back(file);
+      std::ranges::copy_if(stage.objects, std::back_inserter(others.objects), [&](const std::string& object) {
+        return std::ranges::find(others.objects, object) == others.objects.end();
+      });
+    }
+  }
+  std::ranges::stable_sort(stages, std::greater(), &Stage::worth);
+  if (!others.claim_files.empty())
+    stages.insert(stages.begin() + std::min<std::ptrdiff_t>(1, std::ssize(stages)), others);
+  return stages;
+}
+
+bool MutationRun::compile_all(MutantCompiler::Job& job, const std::vector<std::string>& objects) {
+  return std::ranges::all_of(
+      objects, [&](const std::string& object) { return compiler_.compile(job, objects_.at(object)); });
+}
+
+Fate MutationRun::judge_in(MutantCompiler::Job& job) {
+  const Clock clock;
+  std::string run;
+  std::size_t files = 0;
+  std::vector<Stage> stages = stages_of(job.mutant, false);
+  if (stages.empty()) stages = stages_of(job.mutant, true);
+  for (const Stage& stage : stages) {
+    if (files == limits_.files || (files > 0 && clock.seconds() > limits_.seconds)) break;
+    if (!compile_all(job, stage.objects)) return {Fate::Kind::no_program, list_of_sources(objects_, stage.objects)};
+    if (std::ranges::none_of(stage.objects, [&](const std::string& object) { return job.changed.at(object); }))
+      continue;
+    const std::string by = killer(job, stage.claim_files);
+    if (!by.empty()) return {Fate::Kind::killed, by};
+    for (const std::string& file : stage.claim_files) run += (run.empty() ? "" : " ") + file;
+    ++files;
+  }
+  return judge_by_tests(job, run);
+}
+
+Fate MutationRun::judge_by_tests(MutantCompiler::Job& job, std::string run) {
+  std::vector<std::string> tests = objects_.tests_with(job.mutant.file);
+  tests.resize(std::min(tests.size(), most_compiled_tests));
+  std::size_t tests_run = 0;
+  std::vector<std::string> library;
+  std::ranges::copy_if(objects_.with(job.mutant.file), std::back_inserter(library),
+                       [&](const std::string& object) { return !is_claims(objects_.at(object).source); });
+  for (const std::string& test : tests) {
+    if (tests_run == most_tests) break;
+    std::vector<std::string> needed;
+    {
+      const std::lock_guard lock(mutex_);
+      const std::set<std::string>& called = objects_.called_by(test);
+      std::ranges::copy_if(library, std::back_inserter(needed),
+                           [&](const std::string& object) { return called.contains(object); });
+    }
+    needed = with_code(job.mutant, needed);
+    if (objects_.at(test).files.contains(job.mutant.file)) needed.push_back(test);
+    if (!compile_all(job, needed)) return {Fate::Kind::no_program, objects_.at(test).source};
+    if (std::ranges::none_of(needed, [&](const std::string& object) { return job.changed.at(object); })) continue;
+    ++tests_run;
+    if (test_fails(job, test, needed)) return {Fate::Kind::killed_by_tests, objects_.at(test).source};
+    run += (run.empty() ? "" : " ") + objects_.at(test).source;
+  }
+  if (job.changed.empty()) return {Fate::Kind::survived, "nothing: no claim and no test is built from it"};
   return run.empty() ? Fate{Fate::Kind::equivalent, ""} : Fate{Fate::Kind::survived, run};
 }
 
-// Of a file of claims, the object also holds the bodies that the claims call and that other files
-// compile: those of the mutant take the place of those in the library.
-bool MutationRun::compile(const Workplace& place, const std::string& source) {
-  if (!source.starts_with(claims_folder)) return compile_to(place, source, place.object());
-  std::string objects = quoted(place.folder + "/claims.o");
-  if (!compile_to(place, source, place.folder + "/claims.o")) return false;
-  for (const char* body : {"chosen_tracer", "draws", "pairs"}) {
-    const std::string object = formatted("%s/%s.o", place.folder.c_str(), body);
-    if (!fs::exists(object) && !compile_to(place, formatted("validation/checks/%s.cpp", body), object))
-      return false;
-    objects += formatted(" %s", quoted(object).c_str());
+// Links a program with changed objects before its own; a linker takes the first definition, and needs
+// no object of an archive whose functions it has. Returns whether it could.
+bool MutationRun::link(const MutantCompiler::Job& job, const std::string& command, const std::string& program,
+                       const std::string& objects) const {
+  const std::string to = formatted(" -o '%s/program' ", job.place.folder.c_str());
+  return shell(places_.build, std::regex_replace(BuiltObjects::with_options(command, objects),
+                                                 std::regex(" -o " + program + " "), to)) == 0;
+}
+
+// The name of a claim that fails, or how the program stopped. Empty if none fails.
+std::string MutationRun::killer(const MutantCompiler::Job& job, const std::vector<std::string>& claim_files) const {
+  std::string objects;
+  for (const auto& [path, changed] : job.changed) {
+    if (changed) objects += " " + quoted(MutantCompiler::file_of(job, objects_.at(path)));
   }
-  return shell(place.folder, formatted("ld -r -o %s %s", quoted(place.object()).c_str(), objects.c_str())) == 0;
-}
-
-bool MutationRun::compile_to(const Workplace& place, const std::string& source, const std::string& object) {
-  const std::string command =
-      with_options(parsed_once(compile_.at(source)), formatted("-I%s/include", quoted(place.folder).c_str()));
-  return shell(places_.build, formatted("%s -O1 -w -o '%s'", command.c_str(), object.c_str())) == 0;
-}
-
-// Precompiles the header that the command includes, with the options of the command, which halves
-// the time. The precompiled header of the build has other optimisation options.
-std::string MutationRun::parsed_once(const std::string& command) {
-  static const std::regex include(R"( -include (\S+/cmake_pch\.hxx))"), source(" -c \\S+");
-  std::smatch match;
-  if (!std::regex_search(command, match, include)) return command;
-  const std::lock_guard lock(mutex_);
-  std::string& header = headers_[match[1]];
-  if (header.empty()) {
-    const fs::path folder = fs::path(scratch_.folder) / formatted("headers_%zu", headers_.size());
-    fs::create_directories(folder);
-    header = (folder / "cmake_pch.hxx").string();
-    fs::copy_file(match[1].str(), header);
-    const std::string options = std::regex_replace(std::regex_replace(command, include, ""), source, "");
-    shell(places_.build, formatted("%s -O1 -w -x c++-header -o '%s.gch' -c '%s'", options.c_str(), header.c_str(),
-                                   header.c_str()));
-  }
-  return std::regex_replace(command, include, " -include " + header);
-}
-
-// Whether the changed object equals that of the right source. Compiles the latter once.
-bool MutationRun::same_as_unchanged(const Workplace& place, const std::string& source) {
-  const std::lock_guard lock(unchanged_);
-  const std::string object = (fs::path(scratch_.folder) / fs::path(source).filename()).string() + ".o";
-  if (!fs::exists(object)) {
-    const Workplace unchanged(scratch_.folder);
-    if (!compile(unchanged, source))
-      throw std::runtime_error("\"" + source + "\" does not compile as it is (build the program first)");
-    fs::rename(unchanged.object(), object);
-  }
-  return read_whole(object) == read_whole(place.object());
-}
-
-void MutationRun::link(const Workplace& place, const std::string& command, const std::string& program) const {
-  const std::string link =
-      std::regex_replace(with_options(command, quoted(place.object())), std::regex(" -o " + program + " "),
-                         formatted(" -o '%s' ", place.program().c_str()));
-  if (shell(places_.build, link) != 0)
-    throw std::runtime_error(program + " cannot be linked with a changed source (try ninja)");
-}
-
-// The name of a claim that is biased, or how the program stopped. Empty if all are certified.
-std::string MutationRun::killer(const Workplace& place, const std::string& claim_file) const {
-  link(place, link_, "fairlight");
+  if (!link(job, link_, "fairlight", objects))
+    throw std::runtime_error("fairlight cannot be linked with \"" + job.mutant.name() + "\" (try ninja)");
   std::string claims;
   for (const Claim& claim : registry()) {
-    if (claim.file == claim_file) claims += formatted(" %s", quoted(claim.name).c_str());
+    if (std::ranges::find(claim_files, claim.file) != claim_files.end()) claims += " " + quoted(claim.name);
   }
-  for (const char* seconds : {" --seconds 10", ""}) {
-    const std::string verify =
-        formatted("timeout 600 ./fairlight verify%s%s --instructions %s --threads 1 --json findings.json",
-                  claims.c_str(), seconds, claimed_instructions().front().c_str());
-    const int status = shell(place.folder, verify);
-    if (status != 0 && !fs::exists(place.folder + "/findings.json"))
-      return "it stopped with the status " + std::to_string(status);
-    if (status == 0) return "";
-    const auto findings = nlohmann::json::parse(read_whole(place.folder + "/findings.json"));
-    for (const auto& finding : findings["claims"]) {
-      if (finding["verdict"] == "biased") return finding["name"];
-    }
-    fs::remove(place.folder + "/findings.json");
+  const std::string findings = job.place.folder + "/findings.json";
+  fs::remove(findings);
+  const double seconds = std::min(limits_.seconds, limits_.verify * static_cast<double>(claim_files.size()));
+  const std::string verify = formatted(
+      "timeout %d ./program verify%s --seconds %g --fail-fast --instructions %s --threads 1 --json findings.json",
+      static_cast<int>(seconds) + seconds_to_end, claims.c_str(), seconds, claimed_instructions().front().c_str());
+  const int status = shell(job.place.folder, verify);
+  if (!fs::exists(findings))
+    return status == 124 ? "it does not end" : "it stopped with the status " + std::to_string(status);
+  const auto outcomes = nlohmann::json::parse(read_whole(findings))["claims"];
+  for (const auto& outcome : outcomes) {
+    if (outcome["verdict"] == "biased") return outcome["name"];
   }
-  return "no verdict";
+  for (const auto& outcome : outcomes) {
+    if (outcome["verdict"] == "undecided" && !outcome["out_of_time"]) return outcome["name"];
+  }
+  return "";
 }
 
-// The source of the test if it fails. Links this test alone, by the link command of the program
-// with all tests of its folder.
-std::string MutationRun::failing_test(const Workplace& place, const std::string& test) const {
-  static const std::regex objects(R"( tests/CMakeFiles/\S+\.o\b)");
-  const std::string program = fs::path(test).parent_path().string() + "_tests";
-  link(place, std::regex_replace(link_command(places_, program), objects, ""), program);
-  return shell(place.folder, "timeout 600 ./fairlight") == 0 ? "" : test;
+// Links one test alone, by the link command of the program with all tests of its folder.
+bool MutationRun::test_fails(const MutantCompiler::Job& job, const std::string& test,
+                             const std::vector<std::string>& needed) const {
+  static const std::regex own(R"( tests/CMakeFiles/\S+\.o\b)");
+  const std::string program =
+      "tests/" + fs::path(objects_.at(test).source).parent_path().filename().string() + "_tests";
+  std::string objects = std::ranges::find(needed, test) == needed.end() ? test : "";
+  for (const std::string& path : needed) objects += " " + quoted(MutantCompiler::file_of(job, objects_.at(path)));
+  if (!link(job, std::regex_replace(objects_.link_command(program), own, ""), program, objects))
+    throw std::runtime_error(test + " cannot be linked with \"" + job.mutant.name() + "\" (try ninja)");
+  return shell(job.place.folder, formatted("timeout %d ./program", seconds_of_tests)) != 0;
 }
 
 }  // namespace fairlight

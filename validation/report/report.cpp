@@ -89,6 +89,7 @@ nlohmann::json outcome_json(const Outcome& outcome, const RunOptions& run_option
                          {"instructions", outcome.claim->instructions},
                          {"rounding", finding.rounding},
                          {"note", finding.note},
+                         {"out_of_time", outcome.out_of_time},
                          {"replay", replay(*outcome.claim, run_options)}};
   if (outcome.ledger) json["ledger"] = {{"runs", outcome.ledger->runs}, {"margin", outcome.ledger->margin}};
   return json;

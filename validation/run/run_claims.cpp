@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <stdexcept>
@@ -61,7 +62,7 @@ class Run {
     return with_token(trial, finding);
   }
 
-  bool time_is_up() const { return clock_.seconds() > options_.seconds; }
+  bool time_is_up() const { return clock_.seconds() > options_.seconds || (options_.fail_fast && one_failed_); }
 
   void take_turns(const std::vector<std::size_t>& order, double most) {
     for_each_unit(order.size(), options_.threads, [&](std::size_t unit) {
@@ -85,6 +86,7 @@ class Run {
     ended_[i] = turn.ended && outcome.finding.verdict == Verdict::undecided;
     foresee(i, turn.before + outcome.seconds, ended_[i] ? outcome.seconds + turn.left : 0);
     outcomes_[i] = std::move(outcome);
+    if (!ended_[i] && outcomes_[i].finding.verdict != Verdict::certified) one_failed_ = true;
   }
 
   // Adds the name of the claim to what its test refuses.
@@ -151,6 +153,7 @@ class Run {
   std::mutex mutex_;
   Forecast forecast_;
   std::vector<Outcome> outcomes_;
+  std::atomic<bool> one_failed_ = false;
   std::vector<char> ended_;  // whether it has no verdict: not yet begun, or stopped
 };
 

@@ -20,6 +20,7 @@ struct RunOptions {
   double seconds =
       std::numeric_limits<double>::infinity();  ///< after these, a claim without a verdict is undecided
   bool evidence = false;                        ///< whether outcomes keep the evidence of the tests
+  bool fail_fast = false;                       ///< whether no claim goes on after one has failed
 };
 
 /// What a ledger certifies of a claim, from all of its runs together.
@@ -34,7 +35,7 @@ struct Outcome {
   Finding finding;
   double seconds;
   Evidence evidence{};
-  bool out_of_time = false;  ///< whether the time was up before its verdict
+  bool out_of_time = false;  ///< whether the run ended before its verdict
   std::optional<Standing> ledger{};
 };
 
