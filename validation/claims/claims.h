@@ -22,6 +22,7 @@ void add_built_in_scene_claims(std::vector<Claim>& claims);
 void add_scene_strategy_claims(std::vector<Claim>& claims);
 void add_relation_claims(std::vector<Claim>& claims);
 void add_paired_path_claims(std::vector<Claim>& claims);
+void add_whole_domain_claims(std::vector<Claim>& claims);
 
 /// Adds all rows, each with the name of its file, for packets of the width that this is compiled
 /// for.
@@ -44,7 +45,8 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"built_in_scenes.cpp", add_built_in_scene_claims},
                              {"scene_strategies.cpp", add_scene_strategy_claims},
                              {"relations.cpp", add_relation_claims},
-                             {"paired_paths.cpp", add_paired_path_claims}}) {
+                             {"paired_paths.cpp", add_paired_path_claims},
+                             {"whole_domains.cpp", add_whole_domain_claims}}) {
     const std::size_t before = claims.size();
     topic.add(claims);
     for (std::size_t i = before; i < claims.size(); ++i) claims[i].file = topic.file;

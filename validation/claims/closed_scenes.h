@@ -118,13 +118,24 @@ inline ClosedScene white_sky() {
 /// Bound    by cone, which is all directions, a shadow ray brings 4 Le; by area 4 R^2
 ///          Le / (R - r)^2 < 5 Le
 /// Source   as above; the irradiance under a constant sky is pi Le
-inline ClosedScene white_ball() {
-  const Rgb<double> none(0, 0, 0), radiance(1, 2, 0.5);
+inline ClosedScene white_ball(const std::string& name = "white_ball", double brightness = 1) {
+  const Rgb<double> none(0, 0, 0), radiance = brightness * Rgb<double>(1, 2, 0.5);
   Scene scene;
   scene.add_sphere({0, 0, 0}, 16, none, radiance);
   scene.add_sphere({0, 0, 0}, 1, Rgb<double>(1, 1, 1), none);
   const Camera camera({.eye = {0, 0, 4}, .look = {0, 0, -1}, .focus_distance = 3});
-  return {{"white_ball", scene, camera}, [=](int) { return radiance; }, 5 * radiance};
+  return {{name, scene, camera}, [=](int) { return radiance; }, 5 * radiance};
+}
+
+/// A grey ball under a sky of radiance 1, which fills the picture. Roulette by albedo ends half of
+/// the paths, so a sample is 0 or 1, each with probability 1/2.
+inline ClosedScene grey_ball() {
+  const Rgb<double> none(0, 0, 0), one(1, 1, 1);
+  Scene scene;
+  scene.add_sphere({0, 0, 0}, 16, none, one);
+  scene.add_sphere({0, 0, 0}, 1, Rgb<double>(0.5, 0.5, 0.5), none);
+  const Camera camera({.eye = {0, 0, 1.2}, .look = {0, 0, -1}, .focus_distance = 0.2});
+  return {{"grey_ball", scene, camera}, [](int) { return Rgb<double>(0.5, 0.5, 0.5); }, none};
 }
 
 /// Paths of three bounces in the box, where every vertex is on a luminaire and the camera sees one

@@ -17,9 +17,18 @@ inline const std::string& instructions_of_packets() {
   return std::ranges::find(instruction_sets(), lanes<Packet>, &InstructionSet::lanes)->name;
 }
 
+/// The renderer as it is shipped, by the packets of this file. A wrong one takes its place in faults.
+struct ShippedRenderer {
+  static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
+                     Film& film) {
+    render_image(view, settings, seed, range, 1, film, {}, instructions_of_packets());
+  }
+};
+
 /// The pixels of small pictures of a constant radiance, as the draws of its estimator. Each pixel
 /// has `sets` sets of samples; a set is one sample if samples are independent. Where the renderer
 /// rejects a picture, because of an invalid sample, the draw is NaN.
+template <class Renderer = ShippedRenderer>
 class RenderedPixels {
  public:
   RenderedPixels(const View& view, const RenderSettings& settings, const StreamKey& key, std::uint32_t sets = 1)
@@ -28,16 +37,20 @@ class RenderedPixels {
         seed_(std::uint64_t{key.words()[1]} << 32 | key.words()[0]),
         samples_(sets * settings.points) {}
 
-  Rgb<double> at(std::uint64_t draw) {
-    if (draw / pixels != picture_) render(draw / pixels);
-    const auto pixel = static_cast<int>(draw % pixels);
-    if (refused_) return Rgb<double>::Constant(std::numeric_limits<double>::quiet_NaN());
-    return film_.mean(pixel % side, pixel / side);
-  }
+  Rgb<double> at(std::uint64_t draw) { return of(draw, &ExactMoments::mean); }
+  Rgb<double> standard_error_at(std::uint64_t draw) { return of(draw, &ExactMoments::standard_error); }
 
  private:
   static constexpr int side = 32;
   static constexpr std::uint64_t pixels = side * side;
+
+  Rgb<double> of(std::uint64_t draw, double (ExactMoments::*value)() const) {
+    if (draw / pixels != picture_) render(draw / pixels);
+    const auto pixel = static_cast<int>(draw % pixels);
+    if (refused_) return Rgb<double>::Constant(std::numeric_limits<double>::quiet_NaN());
+    const Film::Pixel& channels = film_.at(pixel % side, pixel / side);
+    return {(channels[0].*value)(), (channels[1].*value)(), (channels[2].*value)()};
+  }
 
   void render(std::uint64_t picture) {
     picture_ = picture;
@@ -45,7 +58,7 @@ class RenderedPixels {
     film_ = Film(side, side);
     const std::uint64_t first = picture * samples_;
     try {
-      render_image(view_, settings_, seed_, {first, first + samples_}, 1, film_, {}, instructions_of_packets());
+      Renderer::render(view_, settings_, seed_, {first, first + samples_}, film_);
     } catch (const std::domain_error&) {
       refused_ = true;
     }
@@ -87,8 +100,9 @@ inline std::vector<Reference> references_of(const ClosedScene& scene, const Rend
 /// Tests the renderer by its settings: the pixels of a closed scene have its radiance as their
 /// mean, with any number of sets. The margin is wide, as strategies that do not fit together are
 /// off by large factors. The claims about components have narrow margins, for small errors.
-inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& settings, double margin_factor = 30,
-                               std::uint32_t sets = 1) {
+template <class Renderer = ShippedRenderer>
+Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& settings, double margin_factor = 30,
+                        std::uint32_t sets = 1) {
   const bool shadow_rays = settings.direct != DirectLighting::none;
   const std::string search =
       shadow_rays ? formatted("%s.%s", name_of(settings.light_sampling), name_of(settings.which_light))
@@ -110,8 +124,8 @@ inline Claim rendered_radiance(const ClosedScene& scene, const RenderSettings& s
           .check =
               [=](const Trial& trial) {
                 const auto references = references_of(scene, settings);
-                RenderedPixels draws(with_camera_of(settings, scene.view), settings,
-                                     StreamKey(trial.seed, trial.claim), sets);
+                RenderedPixels<Renderer> draws(with_camera_of(settings, scene.view), settings,
+                                               StreamKey(trial.seed, trial.claim), sets);
                 return test_means(
                     trial,
                     in_packets ? rounded_references<Packet>(references) : rounded_references<double>(references),

@@ -32,5 +32,6 @@ std::vector<Fault> path_tracer_faults();
 std::vector<Fault> direct_light_faults();
 std::vector<Fault> relation_faults();
 std::vector<Fault> second_order_faults();
+std::vector<Fault> whole_domain_faults();
 
 }  // namespace fairlight

@@ -56,6 +56,17 @@ struct FactorForgotten : ControlVariate<Inner, Control> {
       : ControlVariate<Inner, Control>(inner, control, c, mean / c) {}
 };
 
+/// Cuts negative draws at 0, as if they were errors. The mean of the others is too large.
+template <class Inner, class Control>
+struct NegativeDrawsCut : ControlVariate<Inner, Control> {
+  using ControlVariate<Inner, Control>::ControlVariate;
+  auto estimate(auto& source) const {
+    using Real = typename Inner::Scalar;
+    const Real draw = ControlVariate<Inner, Control>::estimate(source);
+    return Real(select(draw > Real(0), draw, Real(0)));
+  }
+};
+
 /// Gives the sum of the runs, not their mean.
 /// On record: the class of appleseed #1515 and mitsuba3 #1861.
 template <class Inner>
