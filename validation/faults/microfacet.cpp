@@ -1,3 +1,4 @@
+#include <fairlight/validation/claims/coloured_metals.h>
 #include <fairlight/validation/claims/energy_compensation.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_microfacet.h>
@@ -41,6 +42,14 @@ Fault independent_shadowing() {
   return fault;
 }
 
+Fault fresnel_at_the_normal() {
+  Fault fault{"fresnel-at-the-normal", "sample against pdf", "none: the cosine at another normal",
+              rough_metal_claims<double, faults::FresnelAtTheNormal>()};
+  const auto packets = rough_metal_claims<Packet, faults::FresnelAtTheNormal>();
+  fault.claims.insert(fault.claims.end(), packets.begin(), packets.end());
+  return fault;
+}
+
 Fault plain_mean_loss() {
   Fault fault{"energy-mean-without-cosine", "energy", "pbrt-v4 BSDF energy test", {}};
   add(fault, metal_furnace<faults::PlainMeanLoss>("energy_compensation.furnace.rough", 0.5, 0.7, 1.6));
@@ -51,7 +60,8 @@ Fault plain_mean_loss() {
 }  // namespace
 
 std::vector<Fault> microfacet_faults() {
-  return {no_jacobian(), unmasked(), unweighted(), independent_shadowing(), plain_mean_loss()};
+  return {no_jacobian(),           unmasked(),       unweighted(), independent_shadowing(),
+          fresnel_at_the_normal(), plain_mean_loss()};
 }
 
 }  // namespace fairlight
