@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include <fairlight/validation/checks/parameters.h>
 
 namespace fairlight {
@@ -5,27 +7,53 @@ namespace fairlight {
 // One row for each parameter that claims draw, with the domain that docs/estimators.md states. Keep
 // the components in alphabetical order.
 const std::vector<ParameterDomain>& parameter_domains() {
+  constexpr double turn = 2 * std::numbers::pi;
   const std::string far = "beyond 1e-3 to 1e4 m the geometry is only scaled, as the claims `relation` do";
   static const std::vector<ParameterDomain> domains{
+      {"BlackmanHarrisFilter", "azimuth", "rad", 0, turn, ""},
+      {"BlackmanHarrisFilter", "radius", "pixel", 1e-6, 1e6, ""},
+      {"BoxFilter", "azimuth", "rad", 0, turn, ""},
+      {"BoxFilter", "radius", "pixel", 1e-6, 1e6, ""},
+      {"CircularAperture", "azimuth", "rad", 0, turn, ""},
+      {"CircularAperture", "radius", "m", 1e-18, 1e18, ""},
+      {"ConstantEnvironment", "azimuth", "rad", 0, turn, ""},
       {"ControlVariate", "constant", "1", 0.5, 1, ""},
       {"ControlVariate", "slope along x", "1", 1, 2, ""},
       {"ControlVariate", "slope along y", "1", -2, -1, ""},
+      {"CosineHemisphere", "azimuth", "rad", 0, turn, ""},
+      {"FresnelReflectance", "eta", "1", 0, 1e6, ""},
+      {"FresnelReflectance", "k", "1", 0, 1e6, ""},
+      {"GaussianFilter", "azimuth", "rad", 0, turn, ""},
+      {"GaussianFilter", "radius in deviations", "1", 1e-12, 5, ""},
+      {"GaussianFilter", "radius", "pixel", 1e-6, 1e6, ""},
       {"Importance", "constant", "1", 0.5, 1, ""},
       {"Importance", "slope along x", "1", 1, 2, ""},
       {"Importance", "slope along y", "1", -2, -1, ""},
-      {"RectangleByArea", "distance", "m", 1e-10, 10000000000.0, far},
+      {"PolygonalAperture", "azimuth", "rad", 0, turn, ""},
+      {"PolygonalAperture", "blades", "1", 3, 1e6, ""},
+      {"PolygonalAperture", "radius", "m", 1e-18, 1e18, ""},
+      {"PolygonalAperture", "rotation", "rad", -turn, turn, ""},
+      {"PowerCosineLobe", "azimuth of the axis", "rad", 0, turn, ""},
+      {"PowerCosineLobe", "azimuth", "rad", 0, turn, ""},
+      {"PowerCosineLobe", "exponent", "1", 0, 1e8, ""},
+      {"PowerCosineLobe", "height of the axis", "1", -1, 1, ""},
+      {"RectangleByArea", "distance", "m", 1e-10, 1e10, far},
       {"RectangleByArea", "size / distance", "1", 0.25, 1, ""},
-      {"RectangleBySolidAngle", "distance", "m", 1e-10, 10000000000.0, far},
+      {"RectangleBySolidAngle", "distance", "m", 1e-10, 1e10, far},
       {"RectangleBySolidAngle", "size / distance", "1", 0.25, 1, ""},
+      {"RoughConductor", "azimuth of out", "rad", 0, turn, ""},
+      {"RoughConductor", "height of out", "1", 1e-27, 1, ""},
+      {"RoughConductor", "roughness along x", "1", 1e-4, 1, ""},
+      {"RoughConductor", "roughness along y", "1", 1e-4, 1, ""},
       {"Rouletted", "constant", "1", 0.5, 1, ""},
       {"Rouletted", "slope along x", "1", 1, 2, ""},
       {"Rouletted", "slope along y", "1", -2, -1, ""},
       {"SchlickReflectance", "reflectance", "1", 0, 1, ""},
-      {"SphereByArea", "distance", "m", 1e-10, 10000000000.0, far},
+      {"SphereByArea", "distance", "m", 1e-10, 1e10, far},
       {"SphereByArea", "size / distance", "1", 0.25, 1, ""},
-      {"SphereByCone", "distance", "m", 1e-10, 10000000000.0, far},
+      {"SphereByCone", "distance", "m", 1e-10, 1e10, far},
       {"SphereByCone", "size / distance", "1", 0.25, 1, ""},
-      {"SphereByVisibleHemisphere", "distance", "m", 1e-10, 10000000000.0, far},
+      {"SphereByVisibleHemisphere", "distance", "m", 1e-10, 1e10, far},
       {"SphereByVisibleHemisphere", "size / distance", "1", 0.25, 1, ""},
       {"Splitting", "constant", "1", 0.5, 1, ""},
       {"Splitting", "slope along x", "1", 1, 2, ""},
@@ -33,6 +61,12 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"StratifiedMean", "constant", "1", 0.5, 1, ""},
       {"StratifiedMean", "slope along x", "1", 1, 2, ""},
       {"StratifiedMean", "slope along y", "1", -2, -1, ""},
+      {"TentFilter", "azimuth", "rad", 0, turn, ""},
+      {"UniformCone", "1 - cos", "1", 0, 2, ""},
+      {"UniformCone", "azimuth", "rad", 0, turn, ""},
+      {"UniformCone", "sin^2", "1", 0, 1, ""},
+      {"UniformHemisphere", "azimuth", "rad", 0, turn, ""},
+      {"UniformSphere", "azimuth", "rad", 0, turn, ""},
   };
   return domains;
 }

@@ -31,10 +31,12 @@ Finding with_parameters(Finding finding, const std::vector<ParameterRange>& rang
                         const std::vector<double>& values);
 
 /// The row for the mean of `make(values)`, an Estimand, at values drawn from the ranges. Only its
-/// references and its draws may depend on the values. Throws what check_ranges throws.
-template <class Real, class Make>
-Claim mean_claim_over(const std::vector<ParameterRange>& ranges, const Make& make) {
-  Claim claim = mean_claim<Real>(make(middles(ranges)));
+/// references and its draws may depend on the values. Throws what check_ranges throws. `row` is the
+/// Estimand that names the row: make(middles(ranges)), or one without references where these take
+/// long.
+template <class Real, class Make, class Row>
+Claim mean_claim_over(const std::vector<ParameterRange>& ranges, const Make& make, const Row& row) {
+  Claim claim = mean_claim<Real>(row);
   check_ranges(claim.name, ranges);
   claim.covers = ranges;
   claim.check = [ranges, make](const Trial& trial) {
@@ -42,6 +44,11 @@ Claim mean_claim_over(const std::vector<ParameterRange>& ranges, const Make& mak
     return with_parameters(mean_claim<Real>(make(values)).check(trial), ranges, values);
   };
   return claim;
+}
+
+template <class Real, class Make>
+Claim mean_claim_over(const std::vector<ParameterRange>& ranges, const Make& make) {
+  return mean_claim_over<Real>(ranges, make, make(middles(ranges)));
 }
 
 /// Adds these rows in double and in packets.

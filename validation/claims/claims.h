@@ -8,6 +8,7 @@ namespace fairlight {
 
 /// Add the rows of the registry, by topic.
 void add_direction_claims(std::vector<Claim>& claims);
+void add_direction_domain_claims(std::vector<Claim>& claims);
 void add_microfacet_claims(std::vector<Claim>& claims);
 void add_material_claims(std::vector<Claim>& claims);
 void add_light_claims(std::vector<Claim>& claims);
@@ -33,6 +34,7 @@ inline void add_claims(std::vector<Claim>& claims) {
   };
   for (const Topic& topic : {Topic{"random.cpp", add_random_claims},
                              {"directions.cpp", add_direction_claims},
+                             {"direction_domains.cpp", add_direction_domain_claims},
                              {"microfacet.cpp", add_microfacet_claims},
                              {"materials.cpp", add_material_claims},
                              {"lights.cpp", add_light_claims},

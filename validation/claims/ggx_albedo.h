@@ -31,6 +31,12 @@ struct GgxAlbedo {
 
   /// The albedo in the direction `out`, to 1e-8.
   double operator()(const Eigen::Vector3d& out) const {
+    return (*this)(out, [](double) { return 1.0; });
+  }
+
+  /// The same for facets of a reflectance, a function of the cosine at the facet.
+  template <class Reflectance>
+  double operator()(const Eigen::Vector3d& out, const Reflectance& reflectance) const {
     const auto strip = [&](double phi, double part) {
       const Eigen::Vector3d slope(alpha_x * std::cos(phi), alpha_y * std::sin(phi), 0);
       const double horizon = std::asinh(horizon_of(out, slope));
@@ -38,7 +44,8 @@ struct GgxAlbedo {
       const Eigen::Vector3d normal = std::sinh(x) * slope + Eigen::Vector3d::UnitZ();
       const Eigen::Vector3d in = 2 * out.dot(normal) / normal.squaredNorm() * normal - out;
       const double law = std::sinh(x) / std::pow(std::cosh(x), 3) / std::numbers::pi;
-      return horizon * law * out.dot(normal) / out.z() / (1 + lambda(out) + lambda(in));
+      const double seen = reflectance(out.dot(normal) / normal.norm()) / (1 + lambda(out) + lambda(in));
+      return horizon * law * out.dot(normal) / out.z() * seen;
     };
     // Splits the integral where facets begin to face away from `out`, which is abrupt where `out`
     // is low.

@@ -1,4 +1,5 @@
 #include <fairlight/validation/claims/claims.h>
+#include <fairlight/validation/claims/coloured_metals.h>
 #include <fairlight/validation/claims/energy_compensation.h>
 
 namespace fairlight {
@@ -23,6 +24,12 @@ void add_rough_conductor(std::vector<Claim>& claims) {
   add_mean(claims, conductor_uniform("rough_conductor.uniform", {0.6, 0.6, 0.8}));
 }
 
+template <class Real>
+void add_coloured_metals(std::vector<Claim>& claims) {
+  claims.push_back(smooth_metal_claim<Real>());
+  for (const Claim& claim : rough_metal_claims<Real>()) claims.push_back(claim);
+}
+
 // The bounds are the larger of 1 / E(out) and the largest loss over the mean loss, rounded up.
 void add_energy_compensation(std::vector<Claim>& claims) {
   add_mean(claims, metal_furnace("energy_compensation.furnace.smooth", 0.03, 0.5, 32));
@@ -38,6 +45,8 @@ void add_energy_compensation(std::vector<Claim>& claims) {
 void add_microfacet_claims(std::vector<Claim>& claims) {
   add_visible_normals(claims);
   add_rough_conductor(claims);
+  add_coloured_metals<double>(claims);
+  add_coloured_metals<Packet>(claims);
   add_energy_compensation(claims);
 }
 

@@ -1,3 +1,4 @@
+#include <fairlight/validation/claims/coloured_metals.h>
 #include <fairlight/validation/claims/energy_compensation.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_microfacet.h>
@@ -15,6 +16,14 @@ std::vector<Claim> law_and_mean(const auto& law, const auto& estimand) {
 template <template <class> class Normals>
 auto density() {
   return conductor_density<Ggx, Normals>("rough_conductor.density", {0.3, 0.3, 0.6});
+}
+
+Fault fresnel_at_the_normal() {
+  Fault fault{"fresnel-at-the-normal", "sample against pdf", "none: the cosine at another normal",
+              rough_metal_claims<double, faults::FresnelAtTheNormal>()};
+  const auto packets = rough_metal_claims<Packet, faults::FresnelAtTheNormal>();
+  fault.claims.insert(fault.claims.end(), packets.begin(), packets.end());
+  return fault;
 }
 
 }  // namespace
@@ -35,6 +44,7 @@ std::vector<Fault> microfacet_faults() {
        "mitsuba3 bcc10a142",
        {mean_claim<Packet>(conductor_weight<IndependentShadowing>("rough_conductor.albedo.smooth_grazing", smooth)),
         mean_claim<Packet>(conductor_weight<IndependentShadowing>("rough_conductor.albedo.rough", rough))}},
+      fresnel_at_the_normal(),
       {"energy-mean-without-cosine", "energy", "pbrt-v4 BSDF energy test",
        both(metal_furnace<PlainMeanLoss>("energy_compensation.furnace.rough", 0.5, 0.7, 1.6),
             grey_metal<PlainMeanLoss>("energy_compensation.grey"))}};

@@ -58,6 +58,27 @@ struct IndependentShadowing : Ggx<Real> {
   }
 };
 
+/// Takes Fresnel's reflectance at the surface's normal where it samples, and at the facet in `eval`.
+/// A constant reflectance hides it.
+/// On record: none; two places that disagree about a cosine are the class of mitsuba3 #1011.
+template <class Real, class Reflectance>
+class FresnelAtTheNormal : public RoughConductor<Real, Reflectance> {
+ public:
+  FresnelAtTheNormal(const Ggx<Real>& facets, const Reflectance& reflectance)
+      : RoughConductor<Real, Reflectance>(facets, reflectance),
+        white_(facets, ConstantReflectance<Real>(Rgb<Real>::Constant(Real(1)))),
+        reflectance_(reflectance) {}
+  Bounce<Real> sample(const Vec3<Real>& out, const Vec2<Real>& u) const {
+    Bounce<Real> bounce = white_.sample(out, u);
+    bounce.weight *= reflectance_(out.z());
+    return bounce;
+  }
+
+ private:
+  RoughConductor<Real> white_;
+  Reflectance reflectance_;
+};
+
 /// The mean loss without the cosine. It is too small, so the surface returns more energy than it
 /// lost.
 /// On record: the class of pbrt-v4's BSDF energy test.
