@@ -80,8 +80,8 @@ int MutationRun::code_of(const Mutant& mutant, const std::string& object, int fi
   return built.source == mutant.file ? 1 : compiler_.code_in(built, mutant.file, first_line, last_line);
 }
 
-// The objects with code from the line of the mutant, or else from its function, or else from its
-// file. Line tables leave out what the compiler computes, such as constants: hence the others.
+// The objects with code from the function of the mutant, or else from its file. Line tables leave out
+// what the compiler computes, such as constants, and may count a short function to its caller.
 std::vector<std::string> MutationRun::with_code(const Mutant& mutant, const std::vector<std::string>& objects) {
   constexpr int last = 1 << 30;
   std::vector<const BuiltObject*> built;
@@ -89,8 +89,7 @@ std::vector<std::string> MutationRun::with_code(const Mutant& mutant, const std:
     if (objects_.at(object).source != mutant.file) built.push_back(&objects_.at(object));
   }
   compiler_.prepare(built);
-  const std::pair<int, int> ranges[] = {
-      {mutant.line, mutant.line}, {mutant.first_line, mutant.last_line}, {1, last}};
+  const std::pair<int, int> ranges[] = {{mutant.first_line, mutant.last_line}, {1, last}};
   for (const auto& [first_line, last_line] : ranges) {
     std::vector<std::string> found;
     std::ranges::copy_if(objects, std::back_inserter(found), [&](const std::string& object) {
