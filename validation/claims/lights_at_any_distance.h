@@ -33,7 +33,9 @@ auto rectangle_at_any_distance(const std::string& name, const std::string& subje
   const double d = values[0], size = values[1];
   const RectangleFromOrigin rectangle{{-0.3 * size * d, 0.1 * size * d, d}, size * d, 1.5 * size * d};
   const double largest = share_of_area > 0 ? share_of_area * rectangle.area_bound() : rectangle.solid_angle();
-  return rectangle_irradiance_claim<Strategy>(name, subject, rectangle, {0, 0, 1}, largest);
+  auto light = rectangle_irradiance_claim<Strategy>(name, subject, rectangle, {0, 0, 1}, largest);
+  light.margin_factor = 3;
+  return light;
 }
 
 /// A sphere aslant, wholly above the horizon; values as before, for its radius.
@@ -43,7 +45,9 @@ auto sphere_at_any_distance(const std::string& name, const std::string& subject,
   const double d = values[0], radius = 0.6 * values[1] * d;
   const SphereFromOrigin sphere{{0.48 * d, 0, 0.8772685 * d}, radius};
   const double largest = share_of_area > 0 ? share_of_area * sphere.area_bound() : sphere.cone_bound();
-  return sphere_irradiance_claim<Strategy>(name, subject, sphere, {0, 0, 1}, largest);
+  auto light = sphere_irradiance_claim<Strategy>(name, subject, sphere, {0, 0, 1}, largest);
+  light.margin_factor = 3;
+  return light;
 }
 
 }  // namespace fairlight

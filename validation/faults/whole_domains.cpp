@@ -15,8 +15,8 @@ std::vector<Fault> whole_domain_faults() {
   std::vector<Claim> bright, repeated, rectangle, sphere, cut;
   for (const Arithmetic real : {Arithmetic::doubles, Arithmetic::packets}) {
     bright.push_back(picture_of_brightness<faults::SamplesClampedAt100>(real, "white_ball_bright", 3e4));
-    repeated.push_back(variance_of_pixels<faults::SamplesRepeatedAfter64>(real, 128));
   }
+  repeated.push_back(variance_of_pixels<faults::SamplesRepeatedAfter64>(Arithmetic::packets, 128));
   add_mean_over(rectangle, drawn_distance("RectangleByArea", near), [](const Values& values) {
     return rectangle_at_any_distance<faults::RectangleFloored>("rectangle.by_area.at_any_distance.near", "", 1,
                                                                values);
