@@ -13,10 +13,7 @@ fairlight::TileRenderer* fairlight_packet_renderer_avx512(const fairlight::TileS
 namespace fairlight {
 namespace {
 
-template <class Real>
-TileRenderer* make_renderer(const TileSettings& settings) {
-  return new TileTracer<Real>(settings);
-}
+TileRenderer* packet_renderer(const TileSettings& settings) { return new TileTracer<Packet>(settings); }
 
 // Tests for the whole x86-64 level, as code compiled for it may use all of its instructions. Clang
 // knows the names of the levels from version 18 on.
@@ -41,13 +38,13 @@ bool has_level_4() {
 
 const std::vector<InstructionSet>& instruction_sets() {
 #if defined(__AVX__)  // the whole program is built for one machine, as by the preset native
-  static const std::vector<InstructionSet> sets{{"native", true, lanes<Packet>, make_renderer<Packet>}};
+  static const std::vector<InstructionSet> sets{{"native", true, lanes<Packet>, packet_renderer}};
 #elif defined(__x86_64__)
-  static const std::vector<InstructionSet> sets{{"sse2", true, 4, make_renderer<Packet>},
+  static const std::vector<InstructionSet> sets{{"sse2", true, 4, packet_renderer},
                                                 {"avx2", has_level_3(), 8, fairlight_packet_renderer_avx2},
                                                 {"avx512", has_level_4(), 16, fairlight_packet_renderer_avx512}};
 #else
-  static const std::vector<InstructionSet> sets{{"neon", true, lanes<Packet>, make_renderer<Packet>}};
+  static const std::vector<InstructionSet> sets{{"neon", true, lanes<Packet>, packet_renderer}};
 #endif
   return sets;
 }
@@ -73,8 +70,8 @@ const InstructionSet& choose_instructions(const std::string& name, const std::ve
 
 std::unique_ptr<TileRenderer> tile_renderer(Arithmetic real, const InstructionSet& instructions,
                                             const TileSettings& settings) {
-  return std::unique_ptr<TileRenderer>(real == Arithmetic::packets ? instructions.make(settings)
-                                                                   : make_renderer<double>(settings));
+  return real == Arithmetic::packets ? std::unique_ptr<TileRenderer>(instructions.make(settings))
+                                     : double_renderer(settings);
 }
 
 }  // namespace fairlight

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include <fairlight/estimators/stream.h>
 #include <fairlight/render/camera.h>
@@ -33,5 +34,8 @@ struct TileSettings {
   StreamKey key;
   int width, height;  ///< of the image
 };
+
+/// The tile renderer in double.
+std::unique_ptr<TileRenderer> double_renderer(const TileSettings& settings);
 
 }  // namespace fairlight
