@@ -226,13 +226,14 @@ bool MutationRun::link(const MutantCompiler::Job& job, const std::string& comman
 std::string MutationRun::killer(const MutantCompiler::Job& job, const std::vector<std::string>& claim_files) const {
   std::string objects;
   for (const auto& [path, changed] : job.changed) {
-    if (changed) objects += " " + quoted(MutantCompiler::file_of(job, objects_.at(path)));
+    if (changed) objects += formatted(" %s", quoted(MutantCompiler::file_of(job, objects_.at(path))).c_str());
   }
   if (!link(job, link_, "fairlight", objects))
     throw std::runtime_error("fairlight cannot be linked with \"" + job.mutant.name() + "\" (try ninja)");
   std::string claims;
   for (const Claim& claim : registry()) {
-    if (std::ranges::find(claim_files, claim.file) != claim_files.end()) claims += " " + quoted(claim.name);
+    if (std::ranges::find(claim_files, claim.file) != claim_files.end())
+      claims += formatted(" %s", quoted(claim.name).c_str());
   }
   const std::string findings = job.place.folder + "/findings.json";
   fs::remove(findings);
@@ -260,7 +261,8 @@ bool MutationRun::test_fails(const MutantCompiler::Job& job, const std::string& 
   const std::string program =
       "tests/" + fs::path(objects_.at(test).source).parent_path().filename().string() + "_tests";
   std::string objects = std::ranges::find(needed, test) == needed.end() ? test : "";
-  for (const std::string& path : needed) objects += " " + quoted(MutantCompiler::file_of(job, objects_.at(path)));
+  for (const std::string& path : needed)
+    objects += formatted(" %s", quoted(MutantCompiler::file_of(job, objects_.at(path))).c_str());
   if (!link(job, std::regex_replace(objects_.link_command(program), own, ""), program, objects))
     throw std::runtime_error(test + " cannot be linked with \"" + job.mutant.name() + "\" (try ninja)");
   return shell(job.place.folder, formatted("timeout %d ./program", seconds_of_tests)) != 0;
