@@ -102,7 +102,7 @@ TEST(Commands, TakeFloatingNumbersByOneCheck) {
         EXPECT_THAT(Program().problem(command + " " + value), HasSubstr(option->get_name() + ": \"")) << name;
     }
   }
-  EXPECT_EQ(numbers, 7) << "verify has three, render three and audit judges one";
+  EXPECT_EQ(numbers, 8) << "verify has three, render three, audit judges and audit mutate one each";
 }
 
 TEST(UsageProblem, NamesTheNearestOptionOrCommandAndHelp) {
@@ -126,7 +126,7 @@ TEST(NoCommand, ListsThoseThereAre) {
   program.app.parse("audit");
   EXPECT_EQ(no_command(program.app),
             "no command of fairlight audit was given (choose one of: faults, calibration, "
-            "power, ledger, mutate, judges)");
+            "power, ledger, mutate, domains, judges)");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void add_domains_command(CLI::App& audit, Command& command) {
   auto* app = audit.add_subcommand(
       "domains",
       "Print, for each parameter, the domain that its component states and the range that claims draw from.");
-  add_examples(*app, {"fairlight audit domains > docs/domains.md"});
+  add_examples(*app, {"fairlight audit domains"});
   app->callback([&command] { command = [] { return domains(); }; });
 }
 
