@@ -26,7 +26,7 @@ void add_rough_conductor(std::vector<Claim>& claims) {
 
 template <class Real>
 void add_coloured_metals(std::vector<Claim>& claims) {
-  claims.push_back(smooth_metal_claim<Real>());
+  for (const Claim& claim : smooth_metal_claims<Real>()) claims.push_back(claim);
   for (const Claim& claim : rough_metal_claims<Real>()) claims.push_back(claim);
 }
 
