@@ -26,6 +26,9 @@ void check_ranges(const std::string& claim, const std::vector<ParameterRange>& r
 std::vector<double> middles(const std::vector<ParameterRange>& ranges);
 std::vector<double> drawn(const std::vector<ParameterRange>& ranges, const Trial& trial);
 
+/// A parameter rounded to float, which packets hold exactly.
+inline double in_floats_exactly(double value) { return static_cast<double>(static_cast<float>(value)); }
+
 /// Adds the values to the note of a finding that is not certified.
 Finding with_parameters(Finding finding, const std::vector<ParameterRange>& ranges,
                         const std::vector<double>& values);

@@ -22,7 +22,7 @@ struct ColouredMetal {
 
   /// From values in the order of metal_ranges, rounded to floats, which packets hold exactly.
   static ColouredMetal of(const std::vector<double>& values) {
-    const auto value = [&](std::size_t i) { return static_cast<double>(static_cast<float>(values.at(i))); };
+    const auto value = [&](std::size_t i) { return in_floats_exactly(values.at(i)); };
     ColouredMetal metal{.alpha = {value(0), value(1)}};
     const std::size_t each = (values.size() - 2) / 3;
     for (std::size_t c = 0; c < 3; ++c) {

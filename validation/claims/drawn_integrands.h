@@ -45,9 +45,6 @@ Real half_density_ratio(Real target, Real density) {
   return (Real(1) + select(exists, Real(target / select(exists, density, Real(1))), Real(0))) / Real(2);
 }
 
-/// A parameter rounded to float, which packets hold exactly.
-inline double in_floats_exactly(double value) { return static_cast<double>(static_cast<float>(value)); }
-
 /// A law about an axis: density in proportion to cos^n(alpha), for 1 - cos(alpha) <= widest. With n
 /// > 0, widest is 1. The integrands get the factor cos^(n/2), so that a sharp lobe's stay bounded.
 /// Moments  h = 1 - cos; under the density (1 - h)^k, k = 3n/2, E[h] = 1 / (k + 2) and E[h^2] = 2 /
@@ -80,11 +77,6 @@ struct AxialLaw {
 };
 
 namespace detail {
-
-template <class Real>
-Vec3<Real> rounded_vector(const Eigen::Vector3d& w) {
-  return {rounded<Real>(w.x()), rounded<Real>(w.y()), rounded<Real>(w.z())};
-}
 
 /// The integrands of an axial law at w, with their factor, times the factor of the density.
 template <class Real>
