@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
@@ -115,10 +114,8 @@ MutantCompiler::Unchanged& MutantCompiler::unchanged(const BuiltObject& object) 
     known.begun = true;
     const Workplace place(scratch_);
     const std::string to = place.folder + "/right.o";
-    const auto start = std::chrono::steady_clock::now();
     if (!compile_to(object, place.folder, places_.source + "/" + object.source, to))
       throw std::runtime_error("\"" + object.source + "\" does not compile as it is (build the program first)");
-    known.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     read_lines(known, to);
     shell(place.folder, formatted("strip --strip-debug %s", quoted(to).c_str()));
     known.bytes = read_whole(to);
@@ -141,11 +138,13 @@ void MutantCompiler::read_lines(Unchanged& known, const std::string& object) con
         code = &known.code[line.substr(at + mark.size(), line.size() - 1 - at - mark.size())];
         break;
       }
-    } else if (code != nullptr) {
+    } else {
       std::istringstream words(line);
       std::string name;
       int number = 0;
-      if (words >> name >> number) ++(*code)[number];
+      if (!(words >> name >> number)) continue;
+      ++known.rows;
+      if (code != nullptr) ++(*code)[number];
     }
   }
 }
@@ -161,6 +160,6 @@ int MutantCompiler::code_in(const BuiltObject& object, const std::string& file, 
   return rows;
 }
 
-double MutantCompiler::seconds_of(const BuiltObject& object) { return unchanged(object).seconds; }
+int MutantCompiler::size_of(const BuiltObject& object) { return unchanged(object).rows; }
 
 }  // namespace fairlight

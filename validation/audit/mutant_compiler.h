@@ -47,10 +47,10 @@ class MutantCompiler {
   /// Compiles right objects that are needed next and that no other thread has begun.
   void prepare(const std::vector<const BuiltObject*>& objects);
 
-  /// How often code in some lines of a file was generated in the right object, and the seconds that
-  /// compiling it took.
+  /// How often code in some lines of a file was generated in the right object, and how much code
+  /// that has in all [rows of its line table].
   int code_in(const BuiltObject& object, const std::string& file, int first_line, int last_line);
-  double seconds_of(const BuiltObject& object);
+  int size_of(const BuiltObject& object);
 
   /// The file of an object of a mutant.
   static std::string file_of(const Job& job, const BuiltObject& object);
@@ -61,7 +61,7 @@ class MutantCompiler {
     std::once_flag compiled;
     std::string bytes;
     std::map<std::string, std::map<int, int>> code;  // rows of the line table, by file and line
-    double seconds = 0;
+    int rows = 0;
   };
 
   bool compile_to(const BuiltObject& object, const std::string& folder, const std::string& source,

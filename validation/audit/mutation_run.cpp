@@ -111,18 +111,19 @@ std::set<std::string> MutationRun::called_by(const std::string& claims, bool in_
   return called;
 }
 
-// The code of a stage from the line of the mutant, for each second that its objects take to compile.
+// The part of the code of a stage that is from the line of the mutant: files of claims about it have
+// much of it, and compile fast.
 double MutationRun::worth_of(const Mutant& mutant, const Stage& stage) {
-  double code = 1, seconds = 1;
+  double code = 1, all = 1;
   for (const std::string& object : stage.objects) {
     if (is_claims(objects_.at(object).source)) code += code_of(mutant, object, mutant.line, mutant.line);
-    seconds += compiler_.seconds_of(objects_.at(object));
+    all += compiler_.size_of(objects_.at(object));
   }
-  return code / seconds;
+  return code / all;
 }
 
 // A file of claims with code from the mutant is a stage of its own, with the library objects that
-// have such code and that it calls: most code for its time first. All claims that call such library
+// have such code and that it calls: the largest part of the code first. All claims that call such library
 // objects but have no such code themselves run together, as they need not be compiled.
 std::vector<MutationRun::Stage> MutationRun::stages_of(const Mutant& mutant, bool in_any_run) {
   std::map<std::string, std::set<std::string>> called;  // by object of claims
@@ -206,7 +207,8 @@ Fate MutationRun::judge_by_tests(MutantCompiler::Job& job, std::string run) {
     if (!compile_all(job, needed)) return {Fate::Kind::no_program, objects_.at(test).source};
     if (std::ranges::none_of(needed, [&](const std::string& object) { return job.changed.at(object); })) continue;
     ++tests_run;
-    if (test_fails(job, test, needed)) return {Fate::Kind::killed_by_tests, objects_.at(test).source};
+    if (test_fails(job, test, needed))
+      return {Fate::Kind::killed_by_tests, objects_.at(test).source + (run.empty() ? "" : " after " + run)};
     run += (run.empty() ? "" : " ") + objects_.at(test).source;
   }
   if (job.changed.empty()) return {Fate::Kind::survived, "nothing: no claim and no test is built from it"};

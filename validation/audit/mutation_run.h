@@ -49,7 +49,7 @@ class MutationRun {
   struct Stage {
     std::vector<std::string> claim_files;
     std::vector<std::string> objects;
-    double worth = 0;  ///< code from the changed lines, for each second of compiling
+    double worth = 0;  ///< the part of its code that is from the changed line
   };
 
   std::set<std::string> called_by(const std::string& claims, bool in_any_run);
