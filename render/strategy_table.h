@@ -46,7 +46,7 @@ enum class BounceSampling { cosine, uniform };
 template <>
 struct StrategyTable<BounceSampling> {
   static constexpr const char* setting = "bounce";
-  static constexpr const char* help = "Sample the directions of diffuse bounces so.";
+  static constexpr const char* help = "Sample the directions of diffuse bounces in this way.";
   static constexpr auto rows = std::to_array<StrategyRow<BounceSampling>>({
       {BounceSampling::cosine, "cosine", "in proportion to the cosine with the normal", "hemisphere.cosine"},
       {BounceSampling::uniform, "uniform", "uniformly over the hemisphere", "hemisphere.uniform"},
@@ -70,7 +70,7 @@ enum class LightPoints { solid_angle, area, visible, cone };
 template <>
 struct StrategyTable<LightPoints> {
   static constexpr const char* setting = "light_sampling";
-  static constexpr const char* help = "Sample the points of a light so.";
+  static constexpr const char* help = "Sample the points of a light in this way.";
   static constexpr auto rows = std::to_array<StrategyRow<LightPoints>>({
       {LightPoints::solid_angle, "solid-angle", "uniformly in the solid angle that it fills",
        "rectangle.by_solid_angle", Scenes::with_rectangle_lights},
@@ -112,7 +112,7 @@ enum class PixelFilter { tent, box, gaussian, blackman_harris };
 template <>
 struct StrategyTable<PixelFilter> {
   static constexpr const char* setting = "filter";
-  static constexpr const char* help = "Filter pixels by this.";
+  static constexpr const char* help = "Use this pixel filter.";
   static constexpr auto rows = std::to_array<StrategyRow<PixelFilter>>({
       {PixelFilter::tent, "tent", "of radius 1 pixel", "filter.tent"},
       {PixelFilter::box, "box", "of radius 0.5", "filter.box"},

@@ -49,7 +49,7 @@ TEST(RenderOptions, TakeEveryStrategyAndSayWhatItIs) {
       EXPECT_THAT(help, HasSubstr(formatted("\n%s%s: ", std::string(30, ' ').c_str(), row.name)));
     }
   });
-  EXPECT_THAT(help, HasSubstr("Sample the points of a light so. [default: area]\n"));
+  EXPECT_THAT(help, HasSubstr("Sample the points of a light in this way. [default: area]\n"));
   EXPECT_THAT(help, HasSubstr("cone: uniformly in the cone that it fills, for spheres (verify\n"));
 }
 

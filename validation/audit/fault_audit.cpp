@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <chrono>
 
 #include <fairlight/render/parallel.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/audit/fault_audit.h>
+#include <fairlight/validation/run/clock.h>
 
 namespace fairlight {
 namespace {
@@ -15,9 +15,9 @@ struct Capture {
 };
 
 Capture capture(const Claim& claim, const Trial& trial) {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock clock;
   const Finding finding = claim.check(trial);
-  return {finding, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+  return {finding, clock.seconds()};
 }
 
 // The result of a fault in a claim, in words.

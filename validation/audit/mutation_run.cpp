@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -11,6 +10,7 @@
 #include <fairlight/render/atomic_file.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/audit/mutation_run.h>
+#include <fairlight/validation/run/clock.h>
 #include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/run/subprocess.h>
 
@@ -23,16 +23,6 @@ constexpr const char* fate_names[] = {"killed", "killed by tests", "survived", "
 constexpr std::size_t most_tests = 3, most_compiled_tests = 8;
 constexpr int seconds_to_end = 30;  // after its time, a program is between two draws within these
 constexpr int seconds_of_tests = 120;
-
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 constexpr std::string_view claims_folder = "validation/claims/";
 

@@ -10,8 +10,8 @@
 namespace fairlight {
 
 /// The irradiance from lights at distances that each run draws anew. The light has the same shape
-/// at every distance, so the irradiance does not depend on it: a length in the code that is written
-/// in, such as a floor under a distance, shows in one of three ranges.
+/// at every distance, so the irradiance does not depend on it. A length constant in the code, such
+/// as a floor under a distance, shows in one of three ranges.
 
 struct DistanceRange {
   const char* name;

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <stdexcept>
 
 #include <fairlight/render/parallel.h>
+#include <fairlight/validation/run/clock.h>
 #include <fairlight/validation/run/forecast.h>
 #include <fairlight/validation/run/registry.h>
 #include <fairlight/validation/run/run_claims.h>
@@ -16,16 +16,6 @@ constexpr double first_turn = 0.002;  // seconds
 constexpr double soon = 0.2;          // seconds: a claim that ends within these goes on
 constexpr double between_words = 0.05;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 class Run {
  public:
