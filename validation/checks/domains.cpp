@@ -1,16 +1,23 @@
 #include <numbers>
 
-#include <fairlight/validation/checks/parameters.h>
+#include <fairlight/validation/checks/domains.h>
 
 namespace fairlight {
 
+namespace {
+
+std::vector<ParameterDomain> joined(std::vector<ParameterDomain> rows, const std::vector<ParameterDomain>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
+
+}  // namespace
+
 // One row for each parameter that claims draw, with the domain that docs/estimators.md states. Keep
-// the components in alphabetical order.
+// the components in alphabetical order. Lights and combinators have functions of their own.
 const std::vector<ParameterDomain>& parameter_domains() {
   constexpr double turn = 2 * std::numbers::pi;
-  const std::string far = "beyond 1e-3 to 1e4 m the geometry is only scaled, as the claims `relation` do";
-  const std::string shapes = "other shapes, and lights around a point, are claimed at fixed sizes";
-  static const std::vector<ParameterDomain> domains{
+  static const std::vector<ParameterDomain> samplers{
       {"BlackmanHarrisFilter", "azimuth", "rad", 0, turn, ""},
       {"BlackmanHarrisFilter", "radius", "pixel", 1e-6, 1e6, ""},
       {"BoxFilter", "azimuth", "rad", 0, turn, ""},
@@ -40,10 +47,6 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"PowerCosineLobe", "azimuth", "rad", 0, turn, ""},
       {"PowerCosineLobe", "exponent", "1", 0, 1e8, ""},
       {"PowerCosineLobe", "height of the axis", "1", -1, 1, ""},
-      {"RectangleByArea", "distance", "m", 1e-10, 1e10, far},
-      {"RectangleByArea", "size / distance", "1", 1e-20, 1e20, shapes},
-      {"RectangleBySolidAngle", "distance", "m", 1e-10, 1e10, far},
-      {"RectangleBySolidAngle", "size / distance", "1", 1e-20, 1e20, shapes},
       {"RoughConductor", "azimuth of out", "rad", 0, turn, ""},
       {"RoughConductor", "height of out", "1", 1e-27, 1,
        "nearer to the horizon the rounding of directions is magnified, as its page says"},
@@ -53,12 +56,6 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"Rouletted", "slope along x", "1", 1, 2, ""},
       {"Rouletted", "slope along y", "1", -2, -1, ""},
       {"SchlickReflectance", "reflectance", "1", 0, 1, ""},
-      {"SphereByArea", "distance", "m", 1e-10, 1e10, far},
-      {"SphereByArea", "size / distance", "1", 1e-20, 1e20, shapes},
-      {"SphereByCone", "distance", "m", 1e-10, 1e10, far},
-      {"SphereByCone", "size / distance", "1", 1e-20, 1e20, shapes},
-      {"SphereByVisibleHemisphere", "distance", "m", 1e-10, 1e10, far},
-      {"SphereByVisibleHemisphere", "size / distance", "1", 1e-20, 1e20, shapes},
       {"Splitting", "constant", "1", 0.5, 1, ""},
       {"Splitting", "slope along x", "1", 1, 2, ""},
       {"Splitting", "slope along y", "1", -2, -1, ""},
@@ -72,6 +69,8 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"UniformHemisphere", "azimuth", "rad", 0, turn, ""},
       {"UniformSphere", "azimuth", "rad", 0, turn, ""},
   };
+  static const std::vector<ParameterDomain> domains =
+      joined(joined(samplers, domains_of_lights()), domains_of_combinators());
   return domains;
 }
 

@@ -12,6 +12,7 @@ void add_direction_domain_claims(std::vector<Claim>& claims);
 void add_microfacet_claims(std::vector<Claim>& claims);
 void add_material_claims(std::vector<Claim>& claims);
 void add_light_claims(std::vector<Claim>& claims);
+void add_light_domain_claims(std::vector<Claim>& claims);
 void add_combinator_claims(std::vector<Claim>& claims);
 void add_random_claims(std::vector<Claim>& claims);
 void add_camera_claims(std::vector<Claim>& claims);
@@ -38,6 +39,7 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"microfacet.cpp", add_microfacet_claims},
                              {"materials.cpp", add_material_claims},
                              {"lights.cpp", add_light_claims},
+                             {"light_domains.cpp", add_light_domain_claims},
                              {"combinators.cpp", add_combinator_claims},
                              {"cameras.cpp", add_camera_claims},
                              {"allocation.cpp", add_allocation_claims},

@@ -24,6 +24,7 @@ std::vector<Fault> direction_faults();
 std::vector<Fault> microfacet_faults();
 std::vector<Fault> material_faults();
 std::vector<Fault> light_faults();
+std::vector<Fault> light_domain_faults();
 std::vector<Fault> combinator_faults();
 std::vector<Fault> random_faults();
 std::vector<Fault> camera_faults();
