@@ -6,7 +6,7 @@
 namespace fairlight {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi, any = std::numeric_limits<double>::infinity();
+constexpr double turn = 2 * std::numbers::pi, unlimited = std::numeric_limits<double>::infinity();
 
 using Rows = std::vector<ParameterDomain>;
 
@@ -16,8 +16,8 @@ void append(Rows& rows, const Rows& more) { rows.insert(rows.end(), more.begin()
 void add_light(Rows& rows, const std::string& light, double smallest, const std::string& sizes,
                const std::string& surfaces) {
   append(rows, {{light, "distance", "m", 1e-10, 1e10, "sides, radii and coordinates have these limits too"},
-                {light, "size / distance", "1", smallest, any, sizes},
-                {light, "place / distance", "1", -any, any,
+                {light, "size / distance", "1", smallest, unlimited, sizes},
+                {light, "place / distance", "1", -unlimited, unlimited,
                  "floats lose the digits by which a place exceeds the distance"},
                 {light, "cosine at the surface", "1", -1, 1, surfaces},
                 {light, "azimuth at the surface", "rad", 0, turn, ""},

@@ -12,21 +12,6 @@ namespace fairlight {
 
 /// Lights at drawn places, of drawn sizes and orientations, over a surface that may face anywhere.
 
-/// The values of a claim's parameters, one after another.
-class DrawnValues {
- public:
-  explicit DrawnValues(const std::vector<double>& values) : values_(&values) {}
-  double next() { return values_->at(used_++); }
-  Vec3<double> next_vector() {
-    const double x = next(), y = next();
-    return {x, y, next()};
-  }
-
- private:
-  const std::vector<double>* values_;
-  std::size_t used_ = 0;
-};
-
 namespace detail {
 
 /// The direction of this cosine to the axis, at an angle about it [rad].

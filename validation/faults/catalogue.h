@@ -26,6 +26,7 @@ std::vector<Fault> material_faults();
 std::vector<Fault> light_faults();
 std::vector<Fault> light_domain_faults();
 std::vector<Fault> combinator_faults();
+std::vector<Fault> combinator_domain_faults();
 std::vector<Fault> random_faults();
 std::vector<Fault> camera_faults();
 std::vector<Fault> allocation_faults();
