@@ -6,13 +6,13 @@ namespace {
 
 using Values = std::vector<double>;
 
-// Lights of which a cosine-weighted direction meets many.
+// Lights that many cosine-weighted directions meet.
 constexpr std::array<RectangleRange, 3> large_rectangles{
     {{{1e-8, 1e-2}, {0.5, 2}, {0.2, 1}}, {{0.09, 10}, {0.5, 4}, {0.1, 1}}, {{1e2, 1e8}, {0.5, 2}, {0.2, 1}}}};
+constexpr auto inside = PlaceAtSphere::inside, on_it = PlaceAtSphere::on_it;
 constexpr std::array<SphereRange, 3> large_spheres{{{{1e-8, 1e-2}, {0.3, 0.9}, {0.05, 1}},
                                                     {{0.09, 10}, {0.3, 0.9}, {-0.3, 1}, PlaceAtSphere::cut},
-                                                    {{1e2, 1e8}, {0.3, 0.9}, {0.05, 1}}}};
-constexpr auto inside = PlaceAtSphere::inside, on_it = PlaceAtSphere::on_it;
+                                                    {{1e2, 1e7}, {1.25, 100}, {-1, 1}, inside}}};
 constexpr std::array<SphereRange, 3> around{{{{1e-8, 1e-2}, {1.25, 100}, {-1, 1}, inside},
                                              {{1e-2, 10}, {1.25, 100}, {-1, 1}, inside},
                                              {{10, 1e7}, {1.25, 100}, {-1, 1}, inside}}};
