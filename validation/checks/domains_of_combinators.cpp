@@ -31,10 +31,10 @@ std::vector<ParameterDomain> domains_of_combinators() {
           {"Splitting", "k", "1", 0, 1e9, "the work grows as k and as 1/k"},
           {"StratifiedMean", "columns", "1", 1, unlimited, "the work grows as the number of cells"},
           {"StratifiedMean", "rows", "1", 1, unlimited, "the work grows as the number of cells"}});
-  for (const char* each : {"MultiSampleMis", "OneSampleMis"}) {
-    append(rows, {{each, "width of a law", "1", 0, 1, "a law on nearly no part of the square is one on none"},
-                  {each, "probability of a law", "1", 0, 1, "a law that is rarer is never met"}});
-  }
+  for (const char* each : {"MultiSampleMis", "OneSampleMis"})
+    rows.push_back({each, "width of a law", "1", 0, 1, "a law on nearly no part of the square is one on none"});
+  rows.push_back({"OneSampleMis", "probability of a law", "1", 0, 1,
+                  "a law that is rarer is never met; the others have larger ones"});
   for (const char* each : {"RouletteByReflectance", "RouletteByThroughput", "RouletteFromBounce"}) {
     append(rows, {{each, "albedo", "1", 0, 1, ""},
                   {each, "throughput", "1", 0, unlimited,

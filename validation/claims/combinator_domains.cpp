@@ -26,10 +26,10 @@ void add_combinators(std::vector<Claim>& claims) {
 
 template <class Heuristic>
 void add_heuristic(std::vector<Claim>& claims, const std::string& name, const std::string& heuristic) {
-  add_mean_over(claims, mis_ranges("MultiSampleMis"), [=](const Values& v) {
+  add_mean_over(claims, many_draws_ranges(), [=](const Values& v) {
     return polynomials_of_many_draws<Heuristic>("signed.mis." + name, {"MultiSampleMis", heuristic}, v);
   });
-  add_mean_over(claims, mis_ranges("OneSampleMis"), [=](const Values& v) {
+  add_mean_over(claims, one_draw_ranges(), [=](const Values& v) {
     return polynomials_of_one_draw<Heuristic>("signed.one_sample." + name, {"OneSampleMis", heuristic}, v);
   });
 }

@@ -33,13 +33,14 @@ class LeftPart {
 };
 
 /// A colour of three polynomials, and four laws. The first is given twice, the third has no density
-/// on a part of the square, and the last is rare.
+/// on a part of the square, and the last is rare where there is one draw.
 struct PolynomialColour {
   TiltedPolynomials<3> integrands;
   double width;  ///< of the left part
-  double rare;   ///< the probability of the last law, of one draw
+  double rare;   ///< the probability of the last law, where there is one draw
 
-  explicit PolynomialColour(DrawnValues& values) : integrands(values), width(values.next()), rare(values.next()) {}
+  PolynomialColour(DrawnValues& values, bool one_draw)
+      : integrands(values), width(values.next()), rare(one_draw ? values.next() : 0) {}
 
   static constexpr std::array counts{2, 2, 3, 1};
   std::array<double, 4> probabilities() const { return {0.3, 0.3, 0.4 - rare, rare}; }
@@ -66,10 +67,15 @@ struct PolynomialColour {
   }
 };
 
-inline std::vector<ParameterRange> mis_ranges(const std::string& component) {
-  std::vector<ParameterRange> ranges = polynomial_ranges(component, 3);
-  ranges.push_back({component, "width of a law", 0.1, 0.9});
-  ranges.push_back({component, "probability of a law", 1e-4, 0.01, ParameterRange::Law::logarithmic});
+inline std::vector<ParameterRange> many_draws_ranges() {
+  std::vector<ParameterRange> ranges = polynomial_ranges("MultiSampleMis", 3);
+  ranges.push_back({"MultiSampleMis", "width of a law", 0.1, 0.9});
+  return ranges;
+}
+inline std::vector<ParameterRange> one_draw_ranges() {
+  std::vector<ParameterRange> ranges = polynomial_ranges("OneSampleMis", 3);
+  ranges.push_back({"OneSampleMis", "width of a law", 0.1, 0.9});
+  ranges.push_back({"OneSampleMis", "probability of a law", 1e-4, 0.01, ParameterRange::Law::logarithmic});
   return ranges;
 }
 
@@ -99,7 +105,7 @@ template <class Heuristic>
 auto polynomials_of_many_draws(const std::string& name, const std::vector<std::string>& subjects,
                                const std::vector<double>& values) {
   DrawnValues next(values);
-  const PolynomialColour colour(next);
+  const PolynomialColour colour(next, false);
   return detail::colour_experiment(name, subjects, colour.integrands, [=]<class Real>(std::type_identity<Real>) {
     return MultiSampleMis(Heuristic{}, colour.laws<Real>(), PolynomialColour::counts, colour.integrand<Real>(),
                           colour.mixture(0.5));
@@ -110,7 +116,7 @@ template <class Heuristic>
 auto polynomials_of_one_draw(const std::string& name, const std::vector<std::string>& subjects,
                              const std::vector<double>& values) {
   DrawnValues next(values);
-  const PolynomialColour colour(next);
+  const PolynomialColour colour(next, true);
   return detail::colour_experiment(name, subjects, colour.integrands, [=]<class Real>(std::type_identity<Real>) {
     return OneSampleMis(Heuristic{}, colour.laws<Real>(), colour.probabilities(), colour.integrand<Real>(),
                         colour.mixture(0.6));

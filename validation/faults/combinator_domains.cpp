@@ -36,7 +36,7 @@ std::vector<Claim> rouletted() {
 
 template <class Heuristic>
 std::vector<Claim> many_draws(const std::string& name) {
-  return over(mis_ranges("MultiSampleMis"), [=](const Values& values) {
+  return over(many_draws_ranges(), [=](const Values& values) {
     return polynomials_of_many_draws<Heuristic>("signed.mis." + name, {}, values);
   });
 }
