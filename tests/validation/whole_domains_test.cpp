@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fairlight/stats/quadrature.h>
-#include <fairlight/validation/claims/lights_at_any_distance.h>
 #include <fairlight/validation/claims/rendered_variance.h>
 #include <fairlight/validation/claims/signed_integrals.h>
 
@@ -24,20 +23,6 @@ TEST(SignedIntegrand, HasTheIntegralOfItsEvenPart) {
   EXPECT_DOUBLE_EQ(f.bound(1).upper, 3);
   EXPECT_DOUBLE_EQ(f.bound(1).lower, -3);
   EXPECT_LT(f.of<double>()({-0.36, 0.48, 0.8}), 0);
-}
-
-// The same shape, ten times as far: the same irradiance.
-TEST(LightsAtAnyDistance, HaveAnIrradianceThatDoesNotDependOnTheDistance) {
-  const auto rectangle = [](double d) {
-    return rectangle_at_any_distance<RectangleByArea>("", "", 1, {d, 0.5}).references[0];
-  };
-  EXPECT_NEAR(rectangle(0.01).mean, rectangle(100).mean, 1e-12);
-  EXPECT_NEAR(rectangle(0.01).upper, rectangle(100).upper, 1e-12);
-  const auto sphere = [](double d) {
-    return sphere_at_any_distance<SphereByCone>("", "", 0, {d, 0.5}).references[0].mean;
-  };
-  // A sphere of radius 0.3 d in the direction of cosine 0.8774 has the irradiance pi 0.09 0.8774.
-  EXPECT_NEAR(sphere(0.01), std::numbers::pi * 0.09 * 0.8772685, 1e-6);
 }
 
 // The camera is 0.2 m before a ball of radius 1 m, which its picture lies wholly in: each ray from it hits the ball.

@@ -1,19 +1,25 @@
 #include <numbers>
 
-#include <fairlight/validation/checks/parameters.h>
+#include <fairlight/validation/checks/domains.h>
 
 namespace fairlight {
 
+namespace {
+
+std::vector<ParameterDomain> joined(std::vector<ParameterDomain> rows, const std::vector<ParameterDomain>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
+
+}  // namespace
+
 // One row for each parameter that claims draw, with the domain that docs/estimators.md states. Keep
-// the components in alphabetical order.
+// the components in alphabetical order. Lights and combinators have functions of their own.
 const std::vector<ParameterDomain>& parameter_domains() {
   constexpr double turn = 2 * std::numbers::pi;
-  const std::string far =
-      "elsewhere the same shapes are only scaled, as in the claims `relation.smaller` and `relation.larger`";
   const std::string integrand =
       "a number of the integrand, not of the component; other integrands are claimed at fixed numbers";
-  const std::string shapes = "other shapes, and lights around a point, are claimed at fixed sizes";
-  static const std::vector<ParameterDomain> domains{
+  static const std::vector<ParameterDomain> samplers{
       {"BlackmanHarrisFilter", "azimuth", "rad", 0, turn, ""},
       {"BlackmanHarrisFilter", "radius", "pixel", 1e-6, 1e6, ""},
       {"BoxFilter", "azimuth", "rad", 0, turn, ""},
@@ -42,10 +48,6 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"PowerCosineLobe", "azimuth", "rad", 0, turn, ""},
       {"PowerCosineLobe", "exponent", "1", 0, 1e8, ""},
       {"PowerCosineLobe", "height of the axis", "1", -1, 1, ""},
-      {"RectangleByArea", "distance", "m", 1e-10, 1e10, far},
-      {"RectangleByArea", "size / distance", "1", 1e-20, 1e20, shapes},
-      {"RectangleBySolidAngle", "distance", "m", 1e-10, 1e10, far},
-      {"RectangleBySolidAngle", "size / distance", "1", 1e-20, 1e20, shapes},
       {"RoughConductor", "azimuth of out", "rad", 0, turn, ""},
       {"RoughConductor", "height of out", "1", 1e-27, 1,
        "not drawn yet: nearer to the horizon floats magnify the rounding of directions"},
@@ -55,12 +57,6 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"Rouletted", "slope along x", "1", -infinity<double>, infinity<double>, integrand},
       {"Rouletted", "slope along y", "1", -infinity<double>, infinity<double>, integrand},
       {"SchlickReflectance", "reflectance", "1", 0, 1, ""},
-      {"SphereByArea", "distance", "m", 1e-10, 1e10, far},
-      {"SphereByArea", "size / distance", "1", 1e-20, 1e20, shapes},
-      {"SphereByCone", "distance", "m", 1e-10, 1e10, far},
-      {"SphereByCone", "size / distance", "1", 1e-20, 1e20, shapes},
-      {"SphereByVisibleHemisphere", "distance", "m", 1e-10, 1e10, far},
-      {"SphereByVisibleHemisphere", "size / distance", "1", 1e-20, 1e20, shapes},
       {"Splitting", "constant", "1", -infinity<double>, infinity<double>, integrand},
       {"Splitting", "slope along x", "1", -infinity<double>, infinity<double>, integrand},
       {"Splitting", "slope along y", "1", -infinity<double>, infinity<double>, integrand},
@@ -74,6 +70,8 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"UniformHemisphere", "azimuth", "rad", 0, turn, ""},
       {"UniformSphere", "azimuth", "rad", 0, turn, ""},
   };
+  static const std::vector<ParameterDomain> domains =
+      joined(joined(samplers, domains_of_lights()), domains_of_combinators());
   return domains;
 }
 

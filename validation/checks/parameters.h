@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,21 @@ std::vector<double> drawn(const std::vector<ParameterRange>& ranges, const Trial
 
 /// A parameter rounded to float, which packets hold exactly.
 inline double in_floats_exactly(double value) { return static_cast<double>(static_cast<float>(value)); }
+
+/// The values of a claim's parameters, one after another.
+class DrawnValues {
+ public:
+  explicit DrawnValues(const std::vector<double>& values) : values_(&values) {}
+  double next() { return values_->at(used_++); }
+  Eigen::Vector3d next_vector() {
+    const double x = next(), y = next();
+    return {x, y, next()};
+  }
+
+ private:
+  const std::vector<double>* values_;
+  std::size_t used_ = 0;
+};
 
 /// Adds the values to the note of a finding that is not certified.
 Finding with_parameters(Finding finding, const std::vector<ParameterRange>& ranges,

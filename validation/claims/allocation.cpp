@@ -44,6 +44,22 @@ void add_numbers(std::vector<Claim>& claims, const Numbers& numbers) {
   claims.push_back(halves_claim<AllocationByDeviation>("deviation", "AllocationByDeviation", numbers));
 }
 
+/// Every form where pixels are negative too.
+void add_signed(std::vector<Claim>& claims) {
+  const SpikyPixels spiky = signed_spikes();
+  const auto row = [&](const std::string& form, const std::string& subject, const std::string& source,
+                       const std::string& score, const auto& made) {
+    return unbiased_allocation("allocation." + form + ".signed", {subject, score}, source, made, FromStreams<>(),
+                               spiky);
+  };
+  claims.push_back(row("pilot", "DiscardedPilot", "Kirk and Arvo 1991", "AllocationByNeighbours",
+                       DiscardedPilot<AllocationByNeighbours>(plan)));
+  claims.push_back(row("stages", "FixedStageWeights", "Owen and Zhou 2020", "AllocationByVariance",
+                       FixedStageWeights<AllocationByVariance>(plan, 3)));
+  claims.push_back(row("halves", "CrossedHalves", "Cox 1975", "AllocationByDeviation",
+                       CrossedHalves<AllocationByDeviation>(plan)));
+}
+
 /// The naive form and its bias. With p <= 1/2, the two points of a pilot never both meet a spike.
 void add_naive(std::vector<Claim>& claims) {
   const naive::PooledStages<AllocationByVariance> by_history({PixelGrid(2, 2), 20, 2});
@@ -66,6 +82,7 @@ void add_naive(std::vector<Claim>& claims) {
 }  // namespace
 
 void add_allocation_claims(std::vector<Claim>& claims) {
+  add_signed(claims);
   add_forms<UniformAllocation>(claims, "uniform", "UniformAllocation");
   add_forms<AllocationByDeviation>(claims, "deviation", "AllocationByDeviation");
   add_forms<AllocationByVariance>(claims, "variance", "AllocationByVariance");

@@ -12,7 +12,9 @@ void add_direction_domain_claims(std::vector<Claim>& claims);
 void add_microfacet_claims(std::vector<Claim>& claims);
 void add_material_claims(std::vector<Claim>& claims);
 void add_light_claims(std::vector<Claim>& claims);
+void add_light_domain_claims(std::vector<Claim>& claims);
 void add_combinator_claims(std::vector<Claim>& claims);
+void add_combinator_domain_claims(std::vector<Claim>& claims);
 void add_random_claims(std::vector<Claim>& claims);
 void add_camera_claims(std::vector<Claim>& claims);
 void add_allocation_claims(std::vector<Claim>& claims);
@@ -38,7 +40,9 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"microfacet.cpp", add_microfacet_claims},
                              {"materials.cpp", add_material_claims},
                              {"lights.cpp", add_light_claims},
+                             {"light_domains.cpp", add_light_domain_claims},
                              {"combinators.cpp", add_combinator_claims},
+                             {"combinator_domains.cpp", add_combinator_domain_claims},
                              {"cameras.cpp", add_camera_claims},
                              {"allocation.cpp", add_allocation_claims},
                              {"second_order.cpp", add_second_order_claims},

@@ -50,6 +50,21 @@ inline double polygon_irradiance(const std::vector<Eigen::Vector3d>& corners, co
   return std::abs(sum) / 2;
 }
 
+/// The part of a polygon above the horizon, for convex polygons: each edge that crosses the horizon
+/// is cut there.
+inline std::vector<Eigen::Vector3d> above_horizon(const std::vector<Eigen::Vector3d>& corners,
+                                                  const Eigen::Vector3d& normal) {
+  std::vector<Eigen::Vector3d> kept;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d& a = corners[i];
+    const Eigen::Vector3d& b = corners[(i + 1) % corners.size()];
+    const double height_a = normal.dot(a), height_b = normal.dot(b);
+    if (height_a > 0) kept.push_back(a);
+    if ((height_a > 0) != (height_b > 0)) kept.push_back(a + height_a / (height_a - height_b) * (b - a));
+  }
+  return kept;
+}
+
 /// The solid angle [sr] of the rectangle [x0, x1] x [y0, y1] in the plane at height z. The integral
 /// of z / r^3 up to (x, y) is atan(x y / (z r)).
 inline double rectangle_solid_angle(double x0, double x1, double y0, double y1, double z) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -35,10 +36,12 @@ struct SpikyPixels {
                        rounded<Real>(dark)));
   }
 
-  /// The reference of the channel of one pixel.
+  /// The reference of the channel of one pixel, whose mean may be negative.
   Reference reference(std::size_t pixel) const {
     const auto [mean, p] = pixels[pixel];
-    return {mean, mean * ground * (1 - 1e-12), mean * (ground + (1 - ground) / p) * (1 + 1e-12)};
+    const double dark = mean * ground * (1 - 1e-12), bright = mean * (ground + (1 - ground) / p) * (1 + 1e-12);
+    return {
+        .mean = mean, .lower = std::min(dark, bright), .upper = std::max(dark, bright), .scale = std::abs(mean)};
   }
 };
 
@@ -47,6 +50,13 @@ struct SpikyPixels {
 inline SpikyPixels unequal_spikes() {
   return {
       PixelGrid(4, 2), {{1, 0.1}, {2, 0.1}, {1, 0.2}, {0.5, 0.1}, {1, 0.1}, {3, 0.1}, {1, 0.15}, {2, 0.2}}, 0.975};
+}
+
+/// The same with means of both signs, as of a difference of pictures.
+inline SpikyPixels signed_spikes() {
+  SpikyPixels spiky = unequal_spikes();
+  for (const std::size_t pixel : {1u, 2u, 6u}) spiky.pixels[pixel].mean *= -1;
+  return spiky;
 }
 
 /// Four equal pixels, all neighbours of each other. PooledSpikes has their means under the naive
@@ -71,8 +81,8 @@ Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& f
     whole.mean += references.back().mean * part;
     whole.lower += references.back().lower * part;
     whole.upper += references.back().upper * part;
+    whole.scale += references.back().scale * part;
   }
-  whole.scale = whole.mean;
   references.push_back(whole);
   const StreamKey key(trial.seed, trial.claim);
   const auto held = rounded_references<typename Numbers::Real>(references);
@@ -89,7 +99,8 @@ Finding check_pixels(const Trial& trial, const SpikyPixels& spiky, const Form& f
 /// planned.
 template <class Form, class Numbers = FromStreams<>>
 Claim unbiased_allocation(const std::string& name, const std::vector<std::string>& subjects,
-                          const std::string& source, const Form& form, const Numbers& numbers = {}) {
+                          const std::string& source, const Form& form, const Numbers& numbers = {},
+                          const SpikyPixels& spiky = unequal_spikes()) {
   return {.name = name + numbers.suffix,
           .kind = "mean",
           .subjects = with_subjects(subjects, numbers),
@@ -99,7 +110,7 @@ Claim unbiased_allocation(const std::string& name, const std::vector<std::string
               "whole adaptive images",
           .source = source,
           .margin_factor = numbers.margin_factor,
-          .check = [=](const Trial& trial) { return check_pixels(trial, unequal_spikes(), form, numbers); },
+          .check = [=](const Trial& trial) { return check_pixels(trial, spiky, form, numbers); },
           .real = real_name<typename Numbers::Real>()};
 }
 

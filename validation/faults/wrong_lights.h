@@ -37,24 +37,6 @@ struct CosineMissing : SphereByVisibleHemisphere<Real> {
   Real radius;
 };
 
-/// Counts the distance to a light as at least 0.1 m, against "fireflies" in corners.
-template <class Strategy>
-struct DistanceFloored : Strategy {
-  using Real = typename Strategy::Scalar;
-  using Strategy::Strategy;
-  LightSample<Real> sample(const Vec3<Real>& from, const Vec2<Real>& u) const {
-    LightSample<Real> sample = Strategy::sample(from, u);
-    const Real longer = rounded<Real>(0.1) / sample.distance;
-    const Real factor = select(longer > Real(1), Real(longer * longer), Real(1));
-    sample.density = Density<SolidAngle, Real>(sample.density.value() * factor);
-    return sample;
-  }
-};
-template <class Real>
-using RectangleFloored = DistanceFloored<RectangleByArea<Real>>;
-template <class Real>
-using SphereFloored = DistanceFloored<SphereByVisibleHemisphere<Real>>;
-
 /// Takes the density of a rectangle per area for one per solid angle.
 /// On record: the class of pbrt-v4 d86222e6.
 template <class Real>
