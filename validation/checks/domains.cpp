@@ -69,6 +69,9 @@ const std::vector<ParameterDomain>& parameter_domains() {
       {"UniformCone", "sin^2", "1", 0, 1, "the domain is open at 0"},
       {"UniformHemisphere", "azimuth", "rad", 0, turn, ""},
       {"UniformSphere", "azimuth", "rad", 0, turn, ""},
+      {"fresnel_conductor", "eta", "1", 0, 1e6, "the domain is open at 0"},
+      {"fresnel_conductor", "k", "1", 0, 1e6, ""},
+      {"fresnel_dielectric", "index", "1", 0.1, 10, "the rows from inside take the inverse of an index"},
   };
   static const std::vector<ParameterDomain> domains =
       joined(joined(samplers, domains_of_lights()), domains_of_combinators());

@@ -2,6 +2,7 @@
 #include <fairlight/validation/claims/integrals.h>
 #include <fairlight/validation/claims/mixtures.h>
 #include <fairlight/validation/claims/reflectances.h>
+#include <fairlight/validation/claims/surface_identities.h>
 
 namespace fairlight {
 namespace {
@@ -27,13 +28,19 @@ void add_smooth_claims(std::vector<Claim>& claims) {
 
 void add_reflectances(std::vector<Claim>& claims) {
   for (const CosineRange& range : cosine_ranges) {
-    add_independent_mean(claims, insulator_outside(range));
-    add_independent_mean(claims, copper_reflectance(range));
+    add_mean_over(claims, insulator_ranges(),
+                  [range](const std::vector<double>& values) { return insulator_outside(range, values); });
+    add_mean_over(claims, metal_index_ranges(),
+                  [range](const std::vector<double>& values) { return metal_reflectance(range, values); });
     add_mean_over(claims, schlick_ranges(),
                   [range](const std::vector<double>& values) { return schlick_reflectance(range, values); });
   }
-  add_independent_mean(claims, insulator_inside("fresnel.dielectric.inside", false));
-  add_independent_mean(claims, insulator_inside("fresnel.dielectric.inside.refracted", true));
+  for (const bool refracted : {false, true}) {
+    add_mean_over(claims, insulator_ranges(), [refracted](const std::vector<double>& values) {
+      return insulator_inside(refracted ? "fresnel.dielectric.inside.refracted" : "fresnel.dielectric.inside",
+                              refracted, values);
+    });
+  }
 }
 
 void add_glass_claims(std::vector<Claim>& claims) {
@@ -47,6 +54,12 @@ void add_glass_claims(std::vector<Claim>& claims) {
                                        1, []<class Real>(std::type_identity<Real>) {
                                          return ImportanceGlass<Real>(rounded<Real>(detail::glass_index));
                                        }));
+}
+
+template <class Surface>
+void add_identities(std::vector<Claim>& claims) {
+  add_constant(claims, bounce_identity<Surface>());
+  add_constant(claims, reciprocity<Surface>());
 }
 
 void add_mixture_claims(std::vector<Claim>& claims) {
@@ -71,6 +84,10 @@ void add_material_claims(std::vector<Claim>& claims) {
   add_reflectances(claims);
   add_glass_claims(claims);
   add_mixture_claims(claims);
+  add_identities<AnyLambertian>(claims);
+  add_identities<AnyGlossy>(claims);
+  add_identities<AnyRoughMetal<>>(claims);
+  add_identities<AnyMixture>(claims);
 }
 
 }  // namespace fairlight

@@ -43,72 +43,106 @@ Real cosine_between(double low, double high, auto& source) {
 
 }  // namespace detail
 
-/// Refractive indices around that of glass, one for each channel.
-inline constexpr std::array<double, 3> insulator_indices{1.33, 1.5, 2.4};
+/// The parameters of the rows on insulators: an index for each channel, near 1, of glass and above.
+inline std::vector<ParameterRange> insulator_ranges() {
+  const auto index = [](double low, double high) {
+    return ParameterRange{"fresnel_dielectric", "index", low, high, ParameterRange::Law::logarithmic};
+  };
+  return {index(1.0001, 1.1), index(1.1, 2), index(2, 10)};
+}
 
-/// The reflectance of an insulator from outside.
-/// Bound    F falls with the cosine, so its value at the most grazing angle
-inline auto insulator_outside(const CosineRange& range) {
-  std::vector<Reference> references;
-  for (const double n : insulator_indices) {
-    const auto reflectance = [n](double angle) { return fresnel_by_angles(angle, n); };
-    references.push_back({detail::mean_over_cosines(range.low, range.high, reflectance), 0,
-                          reflectance(std::acos(range.low)) * (1 + 1e-12)});
-  }
-  const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
+/// The reflectance of insulators from outside, times (g^2 / (n^2 - 1))^2, g^2 = n^2 - 1 + c^2. It is
+/// then (1 + q^2) / 2 (g / (g + c))^4 of fresnel_dielectric, in [0,1], and varies little for any
+/// index, although F falls by many powers of ten.
+inline auto insulator_outside(const CosineRange& range, const std::vector<double>& values) {
+  std::array<double, 3> indices{};
+  for (std::size_t c = 0; c < 3; ++c) indices[c] = in_floats_exactly(values.at(c));
+  const auto reference = [&](int c) {
+    const double n = indices[static_cast<std::size_t>(c)];
+    const auto scaled = [n](double angle) {
+      const double cosine = std::cos(angle);
+      return fresnel_by_angles(angle, n) * std::pow(1 + cosine * cosine / ((n - 1) * (n + 1)), 2);
+    };
+    return Reference{detail::mean_over_cosines(range.low, range.high, scaled), 0, 1 + 1e-9};
+  };
+  const auto draw = [range, indices]<class Real>(std::type_identity<Real>, auto& source) {
     const Real cosine = detail::cosine_between<Real>(range.low, range.high, source);
     Rgb<Real> reflected;
-    for (std::size_t c = 0; c < 3; ++c)
-      reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(insulator_indices[c]));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Real square = Real(1) + cosine * cosine * rounded<Real>(1 / ((indices[c] - 1) * (indices[c] + 1)));
+      reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(indices[c])) * (square * square);
+    }
     return reflected;
   };
   return estimand(
       std::string("fresnel.dielectric.outside.") + range.name, {"fresnel_dielectric"},
       "three insulators reflect from outside the integral of Fresnel's equations, over a range of cosines",
-      "Born and Wolf, 1.5.2, in the angles; quadrature", references, draw);
+      "Born and Wolf, 1.5.2, in the angles; quadrature", for_channels(reference), draw, 2);
 }
 
-/// The reflectance of an insulator from inside. Over all cosines: 1 up to the critical cosine, the
-/// rest by quadrature. With `refracted`, only over the cosines from just below the critical one,
-/// where total reflection that begins elsewhere shows.
-inline auto insulator_inside(const std::string& name, bool refracted) {
+/// The reflectance of insulators from inside: 1 up to the critical cosine, the rest by quadrature.
+/// Over cosines up to twice the critical one, so that total reflection is not rare for indices near
+/// 1. With `refracted`, only from just below the critical cosine, where total reflection that begins
+/// elsewhere shows.
+inline auto insulator_inside(const std::string& name, bool refracted, const std::vector<double>& values) {
+  std::array<double, 3> etas{};
+  std::array<CosineRange, 3> ranges{};
   std::vector<Reference> references;
-  std::array<double, 3> lows{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const double eta = 1 / insulator_indices[c], critical = std::sqrt(1 - eta * eta);
+    const double eta = in_floats_exactly(1 / values.at(c)), critical = std::sqrt((1 - eta) * (1 + eta));
+    const double low = refracted ? critical - std::min(0.05, critical / 2) : 0;
+    const double high = std::min(1.0, 2 * critical);
     const auto reflectance = [eta](double angle) { return fresnel_by_angles(angle, eta); };
-    lows[c] = refracted ? critical - 0.05 : 0;
-    const double beyond = detail::mean_over_cosines(critical, 1, reflectance) * (1 - critical);
-    references.push_back({(critical - lows[c] + beyond) / (1 - lows[c]), 0, 1 + 1e-12});
+    const double beyond = detail::mean_over_cosines(critical, high, reflectance) * (high - critical);
+    references.push_back({(critical - low + beyond) / (high - low), 0, 1 + 1e-12});
+    etas[c] = eta;
+    ranges[c] = {"inside", low, high};
   }
-  const auto draw = [lows]<class Real>(std::type_identity<Real>, auto& source) {
+  const auto draw = [ranges, etas]<class Real>(std::type_identity<Real>, auto& source) {
     const Real u = source.next();
     Rgb<Real> reflected;
     for (std::size_t c = 0; c < 3; ++c) {
-      const Real cosine = rounded<Real>(lows[c]) + rounded<Real>(1 - lows[c]) * u;
-      reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(1 / insulator_indices[c]));
+      const Real cosine = rounded<Real>(ranges[c].low) + rounded<Real>(ranges[c].high - ranges[c].low) * u;
+      reflected[static_cast<int>(c)] = fresnel_dielectric(cosine, rounded<Real>(etas[c]));
     }
     return reflected;
   };
   return estimand(
       name, {"fresnel_dielectric"},
       "three insulators reflect from inside the integral of Fresnel's equations, and all beyond the critical angle",
-      "Born and Wolf, 1.5.2, in the angles; quadrature", references, draw);
+      "Born and Wolf, 1.5.2, in the angles; quadrature", references, draw, refracted ? 4 : 2);
 }
 
-/// The reflectance of copper, whose index is complex.
-inline auto copper_reflectance(const CosineRange& range) {
-  const auto reference = [&](int c) {
-    const auto reflectance = [c](double angle) { return Copper().reflectance(c, angle); };
-    return Reference{detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-12};
+/// The parameters of the rows on metals, eta and k for each channel: like copper in red, nearly an
+/// insulator, and any but those near eta = 1, k = 0, which reflect nothing.
+inline std::vector<ParameterRange> metal_index_ranges() {
+  constexpr auto logarithmic = ParameterRange::Law::logarithmic;
+  const auto eta = [](double low, double high) {
+    return ParameterRange{"fresnel_conductor", "eta", low, high, logarithmic};
   };
-  const auto draw = [range]<class Real>(std::type_identity<Real>, auto& source) {
-    const FresnelReflectance<Real> copper(rounded_colour<Real>(Copper().eta), rounded_colour<Real>(Copper().k));
-    return copper(detail::cosine_between<Real>(range.low, range.high, source));
+  return {eta(0.05, 1),   {"fresnel_conductor", "k", 1, 10, logarithmic},
+          eta(1.2, 4),    {"fresnel_conductor", "k", 0, 1},
+          eta(1e-2, 1e6), {"fresnel_conductor", "k", 0.5, 1e6, logarithmic}};
+}
+
+/// The reflectance of metals, whose index is complex.
+inline auto metal_reflectance(const CosineRange& range, const std::vector<double>& values) {
+  Rgb<double> eta, k;
+  for (int c = 0; c < 3; ++c) {
+    eta[c] = in_floats_exactly(values.at(2 * static_cast<std::size_t>(c)));
+    k[c] = in_floats_exactly(values.at(2 * static_cast<std::size_t>(c) + 1));
+  }
+  const auto reference = [&](int c) {
+    const auto reflectance = [&](double angle) { return fresnel_by_amplitudes(angle, {eta[c], k[c]}); };
+    return Reference{detail::mean_over_cosines(range.low, range.high, reflectance), 0, 1 + 1e-9};
+  };
+  const auto draw = [range, eta, k]<class Real>(std::type_identity<Real>, auto& source) {
+    const FresnelReflectance<Real> metal(rounded_colour<Real>(eta), rounded_colour<Real>(k));
+    return metal(detail::cosine_between<Real>(range.low, range.high, source));
   };
   return estimand(std::string("fresnel.conductor.") + range.name, {"FresnelReflectance", "fresnel_conductor"},
-                  "copper reflects the integral of Fresnel's equations, over a range of cosines",
-                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", for_channels(reference), draw);
+                  "metals reflect the integral of Fresnel's equations, over a range of cosines",
+                  "Born and Wolf, 14.2, in complex amplitudes; quadrature", for_channels(reference), draw, 2);
 }
 
 /// The parameters of the rows on Schlick's reflectance: one at normal incidence for each channel.
