@@ -120,9 +120,9 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
         if (!goes_on(trial, done)) throw detail::ToldToEnd();
       }
       const auto x = draw(i);
-      check_density_of_draw(i, pdf(x));
       const Eigen::Vector2d place = detail::place_of_cell(domain, x);
-      check_place(i, place);
+      check_place(i, place);  // first: a density may be a table of the domain's points
+      check_density_of_draw(i, pdf(x));
       ++counts[cells.index(place)];
     }
     return counts;
