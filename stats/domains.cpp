@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include <Eigen/Geometry>
 
+#include <fairlight/stats/domain_options.h>
 #include <fairlight/stats/domains.h>
 
 namespace fairlight {
@@ -31,6 +35,11 @@ Eigen::Vector3d at_height(double z, double turn) {
 // 1 - z of a unit vector, in a form that rounding never makes negative.
 double drop(const Eigen::Vector3d& w) { return w.z() > 0 ? w.head<2>().squaredNorm() / (1 + w.z()) : 1 - w.z(); }
 
+std::vector<double> relative(std::vector<double> x, double low, double high) {
+  for (double& cut : x) cut = (cut - low) / (high - low);
+  return x;
+}
+
 double half_sector(const PolygonDomain& polygon) { return pi / polygon.corners; }
 double apothem(const PolygonDomain& polygon) { return polygon.radius * std::cos(half_sector(polygon)); }
 
@@ -40,6 +49,47 @@ Eigen::Matrix2d from_first_corner(const PolygonDomain& polygon, double sign) {
 }
 
 }  // namespace
+
+std::vector<double> checked_cuts(std::vector<double> cuts) {
+  for (double cut : cuts) {
+    if (!(cut > 0 && cut < 1))
+      throw std::invalid_argument("a cut must lie inside the domain (leave out its ends, where quadrature never asks)");
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+double checked_share(double share) {
+  if (share > 0 && share < 1) return share;
+  throw std::invalid_argument("the share of lost draws must be in (0,1) (give the domain alone if none is lost)");
+}
+
+CutDomain<IntervalDomain> IntervalDomain::cut_at(const std::vector<double>& x) const {
+  return fairlight::cut_at(*this, relative(x, low, high));
+}
+CutDomain<SquareDomain> SquareDomain::cut_at(const std::vector<double>& x, const std::vector<double>& y) const {
+  return fairlight::cut_at(*this, relative(x, low, high), relative(y, low, high));
+}
+
+// x = centre + scale w / (1 - |w|), w = 2s - 1; min(s, 1 - s) keeps the digits of 1 - |w|.
+double LineDomain::at(double s, double) const { return centre + scale * (2 * s - 1) / (2 * std::min(s, 1 - s)); }
+double LineDomain::jacobian(double s, double) const {
+  const double room = std::min(s, 1 - s);
+  return scale / (2 * room * room);
+}
+Eigen::Vector2d LineDomain::coordinates(double x) const {
+  const double z = (x - centre) / scale;
+  if (!std::isfinite(z)) return {std::numeric_limits<double>::quiet_NaN(), 0.5};
+  // Each without cancellation: the tail on the left is s near 0.
+  return {z < 0 ? 0.5 / (1 - z) : 1 - 0.5 / (1 + z), 0.5};
+}
+
+double HalfLineDomain::at(double s, double) const { return low + scale * s / (1 - s); }
+double HalfLineDomain::jacobian(double s, double) const { return scale / ((1 - s) * (1 - s)); }
+Eigen::Vector2d HalfLineDomain::coordinates(double x) const {
+  const double z = (x - low) / scale;
+  return {std::isfinite(z) ? z / (1 + std::max(z, -0.5)) : std::numeric_limits<double>::quiet_NaN(), 0.5};
+}
 
 double DiskDomain::size() const { return pi * radius * radius; }
 Eigen::Vector2d DiskDomain::at(double s, double t) const { return radius * std::sqrt(s) * on_circle(t); }

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
 
-#include <fairlight/stats/law_test.h>
+#include <fairlight/stats/follows.h>
 #include <fairlight/stats/mean_test.h>
+#include <fairlight/stats/same_law.h>
 #include <fairlight/stats/sequential_t_test.h>
 
 namespace fairlight {
@@ -56,10 +58,16 @@ template <class Estimator>
 Expectation expect_unbiased(const Site& site, Estimator&& estimator, double reference, double margin);
 
 /// Expects that the points `sampler(generator)` follow `density(point)` over the domain (see
-/// stats/domains.h). The margin is a relative L2 distance between laws.
+/// stats/domains.h and domain_options.h), or a table of probabilities. The margin is a relative L2
+/// distance between laws, in cells, and of each bounded moment (test_follows).
 template <class Sampler, class Pdf, class Domain>
 Expectation expect_follows(const Site& site, Sampler&& sampler, Pdf&& density, const Domain& domain,
                            double margin = 0.01);
+
+/// Expects that the points of two samplers follow the same law on a domain that holds both. Needs no
+/// density. See test_same_law for what is exact, and what is certified.
+template <class A, class B, class Domain>
+Expectation expect_same_law(const Site& site, A&& a, B&& b, const Domain& domain, double margin = 0.01);
 
 /// Expects that two estimators have the same mean, by Welch's test. The margin is relative to the
 /// mean of `b` in a discarded pilot, which has no other use.
@@ -117,9 +125,23 @@ Expectation expect_follows(const Site& site, Sampler&& sampler, Pdf&& density, c
                            double margin) {
   const Trial trial = trial_at(site, margin);
   Generator generator = generator_for(trial);
-  const Finding finding = test_law(trial, domain, density, [&](std::uint64_t) { return sampler(generator); });
-  const auto coordinate = [&] { return domain.coordinates(sampler(generator)).x(); };
+  const Eigen::Vector2d none = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Finding finding = test_follows(trial, domain, density, [&](std::uint64_t) { return sampler(generator); });
+  const auto coordinate = [&] { return detail::place_or_lost(domain, sampler(generator)).value_or(none).x(); };
   return detail::judge(site, trial, "the draws follow the density", finding, detail::sample_of(coordinate));
+}
+
+template <class A, class B, class Domain>
+Expectation expect_same_law(const Site& site, A&& a, B&& b, const Domain& domain, double margin) {
+  const Trial trial = trial_at(site, margin);
+  Generator of_a = generator_for(trial, "a");
+  Generator of_b = generator_for(trial, "b");
+  const auto place_of_a = [&](std::uint64_t) { return detail::place_or_lost(domain, a(of_a)); };
+  const auto place_of_b = [&](std::uint64_t) { return detail::place_or_lost(domain, b(of_b)); };
+  const Finding finding = test_same_law(trial, place_of_a, place_of_b, detail::landmarks_of(domain).line);
+  const Eigen::Vector2d none = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const auto coordinate = [&] { return place_of_a(0).value_or(none).x(); };
+  return detail::judge(site, trial, "the two laws are the same", finding, detail::sample_of(coordinate));
 }
 
 template <class A, class B>

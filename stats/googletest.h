@@ -8,7 +8,9 @@
 /// Expectations for GoogleTest. This header needs GoogleTest; fairlight::stats itself does not.
 ///   EXPECT_UNBIASED(estimator, reference, margin)  estimator(generator) has this mean, a number
 ///                                                  or bounded(mean, lower, upper), an exact test
-///   EXPECT_FOLLOWS(sampler, density, domain)       sampler(generator) follows density(point)
+///   EXPECT_FOLLOWS(sampler, density, domain)       sampler(generator) follows density(point), or a
+///                                                  table of probabilities
+///   EXPECT_SAME_LAW(a, b, domain)                  two samplers follow the same law
 ///   EXPECT_AGREE(a, b, margin)                     two estimators have the same mean
 /// The shares of the budget come from GoogleTest's list of all tests, so --gtest_filter changes
 /// none. Set FAIRLIGHT_SEED to the seed that a failure prints to replay it.
@@ -39,5 +41,8 @@ inline ::testing::AssertionResult assertion(const Expectation& expectation) {
 #define EXPECT_FOLLOWS(sampler, density, ...) \
   EXPECT_TRUE(fairlight::assertion(           \
       fairlight::expect_follows(fairlight::googletest_site(), sampler, density, __VA_ARGS__)))
+#define EXPECT_SAME_LAW(a, b, ...) \
+  EXPECT_TRUE(                     \
+      fairlight::assertion(fairlight::expect_same_law(fairlight::googletest_site(), a, b, __VA_ARGS__)))
 #define EXPECT_AGREE(a, b, margin) \
   EXPECT_TRUE(fairlight::assertion(fairlight::expect_agree(fairlight::googletest_site(), a, b, margin)))

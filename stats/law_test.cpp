@@ -4,14 +4,14 @@
 #include <limits>
 #include <numeric>
 
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 
 #include <fairlight/stats/chi_square.h>
 #include <fairlight/stats/evidence.h>
 #include <fairlight/stats/law_test.h>
-#include <fairlight/stats/quadrature.h>
+#include <fairlight/stats/outcomes.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -42,31 +42,61 @@ Interval distance_interval(const ChiSquare& result, double draws, double beta) {
   return {distance(1 - beta), distance(beta)};
 }
 
-// The first cell whose count has a binomial tail below alpha / (2 cells), so that all cells and
-// both tails together have level alpha; -1 if there is none.
+// The cell whose count has the least binomial tail, if that is below alpha / (2 cells), so that all
+// cells and both tails together have level alpha; -1 if none is.
 int wrong_cell(const std::vector<std::uint64_t>& counts, const LawCells& cells, std::uint64_t draws, double alpha) {
-  const double level = alpha / (2 * static_cast<double>(counts.size()));
+  double least = alpha / (2 * static_cast<double>(counts.size()));
+  int wrong = -1;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (cells.probabilities[i] == 0) continue;  // chi_square throws if it has draws
+    if (cells.probabilities[i] == 0 && counts[i] == 0) continue;
     const CellTails tails = cell_tails(counts[i], static_cast<double>(draws), cells.probabilities[i]);
-    if (tails.too_few < level || tails.too_many < level) return static_cast<int>(i);
+    const double tail = std::min(tails.too_few, tails.too_many);
+    if (!(tail < least)) continue;
+    least = tail;
+    wrong = static_cast<int>(i);
   }
-  return -1;
+  return wrong;
+}
+
+// Chi-square on groups of cells. Its distance is over the groups, so the finding says how many.
+Finding judged_in_groups(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts,
+                         std::uint64_t draws, double part, double beta) {
+  const ChiSquare result = chi_square(counts, cells.probabilities);
+  const double alpha = trial.alpha / 2 * part;
+  Finding finding{judge(result, draws, trial.margin, alpha, beta), Guarantee::asymptotic, trial.margin};
+  finding.note = formatted(
+      "asymptotic: chi-square's law is the limit of many draws; the margin is over %.0f groups, of %zu cells, "
+      "that each expect at least 80",
+      result.degrees + 1, cells.probabilities.size());
+  const auto n = static_cast<double>(draws);
+  finding.draws = draws;
+  finding.bias = std::sqrt(std::max(result.statistic - result.degrees, 0.0) / n);
+  finding.interval = distance_interval(result, n, beta);
+  return finding;
 }
 
 // The finding of one look, which has the fraction `part` of alpha and beta.
 Finding judged(const Trial& trial, const LawCells& cells, const std::vector<std::uint64_t>& counts,
                std::uint64_t draws, double part) {
-  const ChiSquare result = chi_square(counts, cells.probabilities);
-  const double alpha = trial.alpha / 2 * part;
-  Finding finding{judge(result, draws, trial.margin, alpha, trial.beta * part), Guarantee::asymptotic,
-                  trial.margin};
-  finding.note = "asymptotic: chi-square's law is the limit of many draws (every cell here expects at least 80)";
   const auto n = static_cast<double>(draws);
+  const bool in_groups = ends_of_groups(cells.probabilities, n).size() > 1;
+  if (!in_groups && !cells.each_alone)
+    throw TooFewDraws("all of the law's mass is in one cell (give a domain or cuts that divide it)");
+  // A cell that chi-square sees only in a group is bounded alone, by half of beta.
+  const double beta = trial.beta * part / (in_groups && cells.each_alone ? 2 : 1);
+  Finding finding{Verdict::certified, Guarantee::exact, trial.margin};
   finding.draws = draws;
-  finding.bias = std::sqrt(std::max(result.statistic - result.degrees, 0.0) / n);
-  finding.interval = distance_interval(result, n, trial.beta * part);
-  const int wrong = wrong_cell(counts, cells, draws, alpha);
+  if (in_groups) finding = judged_in_groups(trial, cells, counts, draws, part, beta);
+  if (cells.each_alone) {
+    const OutcomeBounds bounds = bound_rare_outcomes(counts, cells.probabilities, n, beta, !in_groups);
+    if (bounds.deviation >= trial.margin) finding.verdict = worse(finding.verdict, Verdict::undecided);
+    if (!in_groups) {
+      finding.bias = bounds.estimate;
+      finding.interval = {0, bounds.deviation};
+      finding.note = "each outcome by its binomial law; the margin is of |q - p| / sqrt(p), with p at least 1e-7";
+    }
+  }
+  const int wrong = wrong_cell(counts, cells, draws, trial.alpha / 2 * part);
   if (wrong >= 0) {
     const auto cell = static_cast<std::size_t>(wrong);
     finding.verdict = Verdict::biased;
@@ -84,12 +114,15 @@ struct Looks {
 
 // Right laws mostly have their verdict at the first or second look. Drops the looks at which the
 // cells are pooled differently than at the last.
-Looks looks_for(const Trial& trial, const std::vector<double>& probabilities) {
+Looks looks_for(const Trial& trial, const LawCells& cells) {
+  const std::vector<double>& probabilities = cells.probabilities;
   std::vector<double> shares{0.25, 0.35, 0.5, 1};
   for (;;) {
     Looks looks{{}, 1 / static_cast<double>(shares.size())};
-    const auto most = static_cast<double>(draws_to_tell_apart(
-        probabilities.size(), trial.margin, trial.alpha / 2 * looks.part, trial.beta * looks.part));
+    const double alpha = trial.alpha / 2 * looks.part, beta = trial.beta * looks.part;
+    auto most = static_cast<double>(
+        draws_to_tell_apart(probabilities.size(), trial.margin, alpha, cells.each_alone ? beta / 2 : beta));
+    if (cells.each_alone) most = draws_for_outcomes(probabilities, trial.margin, most);
     for (double share : shares) looks.at.push_back(static_cast<std::uint64_t>(std::ceil(share * most)));
     const auto groups = [&](double share) { return ends_of_groups(probabilities, std::ceil(share * most)); };
     const auto otherwise = [&](double share) { return groups(share) != groups(1); };
@@ -111,7 +144,8 @@ Finding seen(const Trial& trial, const LawCells& cells, const std::vector<std::u
 }
 
 Finding look_until_decided(const Trial& trial, const LawCells& cells, const Looks& looks, const CountMore& count) {
-  Evidence::Cells all{cells.rows, cells.columns, cells.probabilities, {}, 0};
+  const auto size = static_cast<int>(cells.probabilities.size());
+  Evidence::Cells all{cells.lossy ? size : cells.rows, cells.lossy ? 1 : cells.columns, cells.probabilities, {}, 0};
   all.counts.resize(cells.probabilities.size());
   Finding finding;
   std::uint64_t drawn = 0;
@@ -130,79 +164,55 @@ Finding look_until_decided(const Trial& trial, const LawCells& cells, const Look
 
 }  // namespace
 
-CellTails cell_tails(std::uint64_t count, double draws, double probability) {
-  if (probability == 0) return {1, count == 0 ? 1.0 : 0.0};
-  const boost::math::binomial law(draws, probability);
-  const auto k = static_cast<double>(count);
-  return {cdf(law, k), k > 0 ? cdf(complement(law, k - 1)) : 1};
-}
-
-std::size_t LawCells::index(const Eigen::Vector2d& place) const {
-  const auto cut = [](double x, int n) {
-    if (!(x >= 0 && x <= 1))
-      throw std::out_of_range("a place outside the unit square (check its coordinates first)");
-    return static_cast<std::size_t>(std::min(static_cast<int>(x * n), n - 1));
-  };
-  return cut(place.x(), rows) * static_cast<std::size_t>(columns) + cut(place.y(), columns);
-}
-
 void check_place(std::uint64_t i, const Eigen::Vector2d& place) {
   for (double x : place) {
     if (!(x >= 0 && x <= 1)) throw BadDraw(i, x, "the coordinate of a point outside the domain");
   }
 }
 
+bool is_outside(const Eigen::Vector2d& place) {
+  return std::isfinite(place.x()) && std::isfinite(place.y()) && !(place.minCoeff() >= 0 && place.maxCoeff() <= 1);
+}
+
+void check_lost(std::uint64_t i, bool lossy) {
+  if (!lossy) throw BadDraw(i, std::numeric_limits<double>::quiet_NaN(), "lost, in a domain that loses none");
+}
+
+void check_size(double size) {
+  if (!(size > 0 && std::isfinite(size)))
+    throw std::domain_error(formatted("the domain has the size %g (a law needs one that is positive and finite)", size));
+}
+
 void check_density_of_draw(std::uint64_t i, double density) {
   if (!(density > 0 && std::isfinite(density))) throw BadDraw(i, density, "the density where it fell");
 }
 
-double checked_density(double value, double s, double t) {
-  if (value >= 0 && std::isfinite(value)) return value;
-  throw std::domain_error("the density is " + std::to_string(value) + " at (" + std::to_string(s) + ", " +
-                          std::to_string(t) + ") of its domain's square (it must be nonnegative and finite)");
-}
-
-LawCells cells_of_square(int rows, int columns, const std::function<double(double s, double t)>& density) {
-  LawCells cells{rows, columns, {}, 0};
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const Integral cell = integrate_rectangle(
-          [&](double s, double t) { return checked_density(density(s, t), s, t); }, double(row) / rows,
-          double(row + 1) / rows, double(column) / columns, double(column + 1) / columns);
-      cells.probabilities.push_back(cell.value);
-      cells.error += cell.error;
-    }
-  }
-  return cells;
-}
-
-LawCells cells_of_numbers(std::int64_t n, const std::function<double(std::int64_t i)>& probability) {
-  if (n < 2 || n > 1 << 20) throw std::invalid_argument("a discrete law must have 2 .. 2^20 outcomes");
-  LawCells cells{static_cast<int>(n), 1, {}, 0};
-  for (std::int64_t i = 0; i < n; ++i) cells.probabilities.push_back(checked_density(probability(i), double(i), 0));
-  return cells;
-}
-
 Finding detail::refuted_density(const Trial& trial, const std::string& why) { return refuted(trial, why); }
 
-Finding test_counts(const Trial& trial, const LawCells& cells, const CountMore& count) {
-  const double total = std::accumulate(cells.probabilities.begin(), cells.probabilities.end(), 0.0);
+Finding detail::guarded(const Trial& trial, const std::function<Finding()>& test) try {
   check_trial(trial);
-  if (cells.error > 1e-6)
-    return undecided(trial, "the density cannot be integrated to 1e-6 (give a domain that it suits)");
-  if (!(std::abs(total - 1) <= 1e-6 + cells.error)) {
-    return refuted(trial, "the density integrates to " + std::to_string(total) + ", not to 1");
-  }
-  const Looks looks = looks_for(trial, cells.probabilities);
-  try {
-    return look_until_decided(trial, cells, looks, count);
-  } catch (const BadDraw& bad) {
-    return refuted(trial, bad.what());
-  } catch (const NoMoreDraws& spent) {
-    return undecided(trial, spent.what());
-  } catch (const detail::ToldToEnd&) {
-    return undecided(trial, told_to_end);
-  }
+  return test();
+} catch (const BadDraw& bad) {
+  return refuted(trial, bad.what());
+} catch (const std::domain_error& bad) {
+  return refuted(trial, bad.what());
+} catch (const CannotIntegrate& hard) {
+  return undecided(trial, hard.what());
+} catch (const NoMoreDraws& spent) {
+  return undecided(trial, spent.what());
+} catch (const detail::ToldToEnd&) {
+  return undecided(trial, told_to_end);
+}
+
+Finding test_counts(const Trial& trial, const LawCells& cells, const CountMore& count) {
+  return detail::guarded(trial, [&] {
+    if (cells.error > 1e-6) throw CannotIntegrate(cannot_integrate);
+    const double lost = cells.lossy ? cells.probabilities.back() : 0;
+    const double total = std::accumulate(cells.probabilities.begin(), cells.probabilities.end(), -lost);
+    if (!(std::abs(total + lost - 1) <= 1e-6 + cells.error))
+      return refuted(trial, formatted("the density integrates to %f, not to %g", total, 1 - lost));
+    return look_until_decided(trial, cells, looks_for(trial, cells), count);
+  });
 }
 
 }  // namespace fairlight

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace fairlight {
 
@@ -9,6 +11,30 @@ struct Integral {
   double value;
   double error;
 };
+
+/// A part [low, high] of an interval, with the integral over it.
+struct Leaf {
+  double low, high;
+  Integral integral;
+};
+
+/// When to stop dividing an interval.
+struct Subdivision {
+  double tolerance;             ///< of the sum of all errors, absolute
+  double largest = 1e300;       ///< a leaf with a larger integral is divided too
+  std::size_t most_leaves = 400;
+};
+
+/// Integrates f over [edges.front(), edges.back()]. Divides first at the edges, which are sorted,
+/// then always the part with the largest error, so jumps and integrable poles take only a few tens
+/// of parts each. f is never asked at an edge. The leaves are in order; their errors may sum to
+/// more than the tolerance when there are `most_leaves` of them.
+/// Source   Gauss-Kronrod (7, 15) with global subdivision: QUADPACK's QAG (Piessens et al. 1983)
+std::vector<Leaf> integrate_in_leaves(const std::function<double(double x)>& f, const std::vector<double>& edges,
+                                      const Subdivision& stop);
+
+/// The sum over leaves.
+Integral sum_of(const std::vector<Leaf>& leaves);
 
 /// The integral of f(x, y) over [x0, x1] x [y0, y1], by adaptive quadrature with relative tolerance
 /// 1e-9, which only a smooth enough f reaches.
