@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/estimators/vec.h>
-#include <fairlight/stats/manifest.h>
+#include <fairlight/validation/checks/direction_checks.h>
 
 namespace fairlight {
 
@@ -41,34 +40,27 @@ struct BsdfTerms {
   double largest_weight = 0;  ///< no weight is above it
 };
 
-/// The finding of one check of a BSDF.
-struct BsdfFinding {
-  std::string check;      ///< "edge numbers", "finite", "density", "weight", ...
-  std::string statement;  ///< what holds if it is certified
-  Finding finding;
-};
-
 /// Tests that the three functions of a BSDF fit together, over outgoing directions drawn anew:
 /// identities at every draw (check_bsdf_identities), then for some directions the law of the draws
 /// and the energy (check_bsdf_laws). All checks share alpha equally. The checks of laws are left out
 /// where an identity is broken, as they would say the same less plainly. Throws
 /// std::invalid_argument for terms outside their ranges.
-std::vector<BsdfFinding> check_bsdf(const Trial& trial, const BsdfUnderTest& bsdf, const BsdfTerms& terms);
+std::vector<PartFinding> check_bsdf(const Trial& trial, const BsdfUnderTest& bsdf, const BsdfTerms& terms);
 
 /// Identities: numbers at the edge of [0,1) give a valid sample; all values are finite and none is
 /// negative; the pdf of a sample is `pdf`; its weight is f |cos| / pdf; a single direction has
 /// neither f nor pdf; f is 0 where the pdf is; f is reciprocal.
 /// Guarantee  exact: a violation in a share of the draws that the note gives would have been met,
 ///            but for the miss rate
-std::vector<BsdfFinding> check_bsdf_identities(const Trial& trial, const BsdfUnderTest& bsdf,
+std::vector<PartFinding> check_bsdf_identities(const Trial& trial, const BsdfUnderTest& bsdf,
                                                const BsdfTerms& terms);
 
-/// Laws: for each of six directions, the shares of the draws in 36 cells of directions, and of those
+/// Laws: for each of six directions, the shares of the draws in cells of directions, and of those
 /// without a density, are the integrals of the pdf; f |cos| integrates to 1 at most; the mean weight
 /// is the stated albedo.
 /// Guarantee  exact, by betting; the pdf's integrals are by quadrature, whose error counts as
 ///            rounding
-std::vector<BsdfFinding> check_bsdf_laws(const Trial& trial, const BsdfUnderTest& bsdf, const BsdfTerms& terms);
+std::vector<PartFinding> check_bsdf_laws(const Trial& trial, const BsdfUnderTest& bsdf, const BsdfTerms& terms);
 
 /// A random direction above the surface, or below it where `side` < 0. The logarithm of its height
 /// is uniform from `lowest` to `highest`.

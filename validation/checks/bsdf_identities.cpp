@@ -1,59 +1,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
-#include <fairlight/stats/expectation.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/bsdf_checks.h>
+#include <fairlight/validation/checks/identity.h>
 
 namespace fairlight {
 namespace {
 
-constexpr int draws = 1 << 14;
-
-// The largest violation of an identity, and where it was.
-struct Identity {
-  const char* check;
-  const char* statement;
-  double worst = 0;
-  std::string where{};
-
-  // `place()` says where; it is called for a new largest violation alone.
-  void see(double gap, const auto& place) {
-    if (gap <= worst) return;
-    worst = gap;
-    where = place();
-  }
-};
-
-std::string text(const Vec3<double>& w) { return formatted("(%.6g, %.6g, %.6g)", w.x(), w.y(), w.z()); }
-
-std::string text(const Rgb<double>& c) { return formatted("(%.6g, %.6g, %.6g)", c[0], c[1], c[2]); }
-
-// The difference relative to the larger magnitude; infinite where one is not finite. Values near the
-// smallest floats keep few digits, so those below 1e-20, which nobody sees, count as 1e-20.
-double gap_between(double x, double y) {
-  if (!std::isfinite(x) || !std::isfinite(y)) return infinity<double>;
-  return std::abs(x - y) / std::max({std::abs(x), std::abs(y), 1e-20});
-}
-
-double gap_between(const Rgb<double>& x, const Rgb<double>& y) {
-  double gap = 0;
-  for (int c = 0; c < 3; ++c) gap = std::max(gap, gap_between(x[c], y[c]));
-  return gap;
-}
-
-bool valid(double x) { return std::isfinite(x) && x >= 0; }
-bool valid(const Rgb<double>& c) { return valid(c[0]) && valid(c[1]) && valid(c[2]); }
-
 // What is wrong with a sample by itself; empty if nothing is.
-std::string problem_of(const BsdfSample& sample, double rounding) {
-  if (!all_finite(sample.in)) return "its direction is " + text(sample.in);
-  if (std::abs(sample.in.norm() - 1) > rounding) return "its direction is no unit vector: " + text(sample.in);
-  if (!valid(sample.weight)) return "its weight is " + text(sample.weight);
-  if (!valid(sample.pdf)) return formatted("its pdf is %g", sample.pdf);
-  return {};
+std::string problem_with(const BsdfSample& sample, double rounding) {
+  if (!is_valid(sample.weight)) return "its weight is " + text_of(sample.weight);
+  return problem_of(sample.in, sample.pdf, rounding);
 }
 
 // The identities of a BSDF, in the order in which a reader should hear of a violation.
@@ -62,27 +21,16 @@ class Identities {
   Identities(const BsdfUnderTest& bsdf, const BsdfTerms& terms, Generator generator)
       : bsdf_(bsdf), terms_(terms), generator_(generator) {}
 
-  double next() { return static_cast<double>(generator_() >> 11) * 0x1p-53; }
+  double next() { return uniform(generator_); }
   Vec3<double> direction(double lowest) {
     const double side = terms_.both_sides && next() < 0.5 ? -1 : 1;
     return drawn_direction(lowest, 1, side, [this] { return next(); });
   }
 
-  // Every combination of edge numbers, for a new direction.
+  // Numbers at the edge, for a new direction.
   void at_edges() {
-    constexpr std::array<double, 5> numbers{0, 0x1p-53, 0.5, 1 - 0x1p-24, 1 - 0x1p-53};
-    std::vector<double> u(bsdf_.dimensions);
     const Vec3<double> out = direction(1e-4);
-    std::size_t combinations = 1;
-    for (std::size_t d = 0; d < u.size(); ++d) combinations *= numbers.size();
-    for (std::size_t k = 0; k < combinations; ++k) {
-      std::size_t rest = k;
-      for (double& x : u) {
-        x = numbers[rest % numbers.size()];
-        rest /= numbers.size();
-      }
-      see_problem(edges_, out, u);
-    }
+    for_each_edge(bsdf_.dimensions, [&](const std::vector<double>& u) { see_problem(edges_, out, u); });
   }
 
   void at_a_draw() {
@@ -106,41 +54,37 @@ class Identities {
 
  private:
   std::string place(const Vec3<double>& out, const Vec3<double>& in) const {
-    return "out = " + text(out) + ", in = " + text(in);
+    return "out = " + text_of(out) + ", in = " + text_of(in);
   }
 
   std::optional<BsdfSample> see_problem(Identity& identity, const Vec3<double>& out, const std::vector<double>& u) {
     const std::optional<BsdfSample> sample = bsdf_.sample(out, u);
-    const std::string problem = sample ? problem_of(*sample, terms_.rounding) : std::string();
+    const std::string problem = sample ? problem_with(*sample, terms_.rounding) : std::string();
     if (problem.empty()) return sample;
-    identity.see(infinity<double>, [&] {
-      std::ostringstream numbers;
-      numbers.precision(17);
-      for (const double x : u) numbers << ' ' << x;
-      return "the sample of out = " + text(out) + " from" + numbers.str() + ": " + problem;
-    });
+    identity.see(infinity<double>,
+                 [&] { return "the sample of out = " + text_of(out) + " from " + text_of(u) + ": " + problem; });
     return {};
   }
 
   void see_values(const Vec3<double>& out, const Vec3<double>& in) {
     const Rgb<double> f = bsdf_.eval(out, in);
     const double p = bsdf_.pdf(out, in);
-    if (!valid(f)) finite_.see(infinity<double>, [&] { return "f = " + text(f) + " at " + place(out, in); });
-    if (!valid(p)) finite_.see(infinity<double>, [&] { return formatted("pdf = %g at ", p) + place(out, in); });
+    if (!is_valid(f)) finite_.see(infinity<double>, [&] { return "f = " + text_of(f) + " at " + place(out, in); });
+    if (!is_valid(p)) finite_.see(infinity<double>, [&] { return formatted("pdf = %g at ", p) + place(out, in); });
     // In units of the f |cos| of a white diffuse surface.
     const double light = max_channel<double>(f) * std::abs(in.z()) * std::numbers::pi;
-    if (p == 0) unsampled_.see(light, [&] { return "f = " + text(f) + ", pdf = 0 at " + place(out, in); });
+    if (p == 0) unsampled_.see(light, [&] { return "f = " + text_of(f) + ", pdf = 0 at " + place(out, in); });
     if (!terms_.reciprocal || in.z() * out.z() <= 0) return;
     const Rgb<double> other = bsdf_.eval(in, out);
     reciprocity_.see(gap_between(f, other),
-                     [&] { return text(f) + " and " + text(other) + " at " + place(out, in); });
+                     [&] { return text_of(f) + " and " + text_of(other) + " at " + place(out, in); });
   }
 
   void see_single(const Vec3<double>& out, const BsdfSample& sample) {
     const Rgb<double> f = bsdf_.eval(out, sample.in);
     const double p = bsdf_.pdf(out, sample.in);
     if (p == 0 && max_channel<double>(f) == 0) return;
-    single_.see(1, [&] { return formatted("pdf = %g, f = ", p) + text(f) + " at " + place(out, sample.in); });
+    single_.see(1, [&] { return formatted("pdf = %g, f = ", p) + text_of(f) + " at " + place(out, sample.in); });
   }
 
   void see_sample(const Vec3<double>& out, const BsdfSample& sample) {
@@ -151,8 +95,8 @@ class Identities {
     if (!(p > 0)) return;
     const Rgb<double> expected = bsdf_.eval(out, sample.in) * std::abs(sample.in.z()) / p;
     weight_.see(gap_between(sample.weight, expected), [&] {
-      return "the sample's weight is " + text(sample.weight) + ", f |cos| / pdf is " + text(expected) + " at " +
-             place(out, sample.in);
+      return "the sample's weight is " + text_of(sample.weight) + ", f |cos| / pdf is " + text_of(expected) +
+             " at " + place(out, sample.in);
     });
   }
 
@@ -168,20 +112,6 @@ class Identities {
   Identity reciprocity_{"reciprocity", "f is the same with both directions exchanged"};
 };
 
-BsdfFinding finding_of(const Trial& trial, const Identity& identity, double rounding) {
-  Finding finding;
-  finding.verdict = identity.worst > rounding ? Verdict::biased : Verdict::certified;
-  finding.guarantee = Guarantee::exact;
-  finding.margin = rounding;
-  finding.bias = identity.worst;
-  finding.interval = {0, identity.worst};
-  finding.draws = draws;
-  finding.note = finding.verdict == Verdict::biased
-                     ? identity.where
-                     : formatted("shown for all but a share of %.1e of draws", -std::log(trial.beta) / draws);
-  return {identity.check, identity.statement, with_token(trial, finding)};
-}
-
 }  // namespace
 
 Vec3<double> drawn_direction(double lowest, double highest, double side, const std::function<double()>& next) {
@@ -190,12 +120,12 @@ Vec3<double> drawn_direction(double lowest, double highest, double side, const s
   return {r * std::cos(angle), r * std::sin(angle), side < 0 ? -z : z};
 }
 
-std::vector<BsdfFinding> check_bsdf_identities(const Trial& trial, const BsdfUnderTest& bsdf,
+std::vector<PartFinding> check_bsdf_identities(const Trial& trial, const BsdfUnderTest& bsdf,
                                                const BsdfTerms& terms) {
   Identities identities(bsdf, terms, generator_for(trial, "identities"));
   for (int i = 0; i < 16; ++i) identities.at_edges();
-  for (int i = 0; i < draws; ++i) identities.at_a_draw();
-  std::vector<BsdfFinding> findings;
+  for (int i = 0; i < identity_draws; ++i) identities.at_a_draw();
+  std::vector<PartFinding> findings;
   for (const Identity& identity : identities.all()) findings.push_back(finding_of(trial, identity, terms.rounding));
   return findings;
 }
