@@ -9,6 +9,7 @@
 #include <fairlight/estimators/glossy.h>
 #include <fairlight/estimators/mixture.h>
 #include <fairlight/estimators/rough_conductor.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/testing/bsdf.h>
 
 namespace fairlight {
@@ -63,12 +64,13 @@ TEST(ExpectBsdf, ComparesTheMeanWeightWithAStatedAlbedo) {
 }
 
 template <class Wrong>
-void expect_named(const std::string& check) {
+void expect_named(const char* check) {
   const Wrong wrong;
   const Expectation expectation = expect_bsdf({typeid(Wrong).name(), 1, 1, ""}, under_test(wrong), {});
   EXPECT_FALSE(expectation.met) << typeid(Wrong).name();
-  EXPECT_NE(expectation.message.find("biased: " + check), std::string::npos) << typeid(Wrong).name() << "\n"
-                                                                             << expectation.message;
+  EXPECT_NE(expectation.message.find(formatted("biased: %s", check)), std::string::npos)
+      << typeid(Wrong).name() << "\n"
+      << expectation.message;
 }
 
 // Each error is named by the check that knows it.

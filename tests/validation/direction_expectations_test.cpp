@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/testing/directions.h>
 
 namespace fairlight {
@@ -67,10 +68,9 @@ struct SphereByACone {
   }
 };
 
-template <class Expect>
-void expect_named(const Expectation& expectation, const Expect& check) {
+void expect_named(const Expectation& expectation, const char* check) {
   EXPECT_FALSE(expectation.met);
-  EXPECT_NE(expectation.message.find(std::string("biased: ") + check), std::string::npos) << expectation.message;
+  EXPECT_NE(expectation.message.find(formatted("biased: %s", check)), std::string::npos) << expectation.message;
 }
 
 TEST(ExpectDirectionSampler, KnowsRightFromWrong) {
