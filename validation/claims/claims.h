@@ -13,6 +13,7 @@ void add_microfacet_claims(std::vector<Claim>& claims);
 void add_material_claims(std::vector<Claim>& claims);
 void add_light_claims(std::vector<Claim>& claims);
 void add_light_domain_claims(std::vector<Claim>& claims);
+void add_triangle_claims(std::vector<Claim>& claims);
 void add_combinator_claims(std::vector<Claim>& claims);
 void add_combinator_domain_claims(std::vector<Claim>& claims);
 void add_random_claims(std::vector<Claim>& claims);
@@ -41,6 +42,7 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"materials.cpp", add_material_claims},
                              {"lights.cpp", add_light_claims},
                              {"light_domains.cpp", add_light_domain_claims},
+                             {"triangles.cpp", add_triangle_claims},
                              {"combinators.cpp", add_combinator_claims},
                              {"combinator_domains.cpp", add_combinator_domain_claims},
                              {"cameras.cpp", add_camera_claims},

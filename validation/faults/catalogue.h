@@ -25,6 +25,7 @@ std::vector<Fault> microfacet_faults();
 std::vector<Fault> material_faults();
 std::vector<Fault> light_faults();
 std::vector<Fault> light_domain_faults();
+std::vector<Fault> triangle_faults();
 std::vector<Fault> combinator_faults();
 std::vector<Fault> combinator_domain_faults();
 std::vector<Fault> random_faults();
