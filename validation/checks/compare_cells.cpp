@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <stdexcept>
-#include <tuple>
 
 #include <boost/math/distributions/normal.hpp>
 
@@ -16,32 +14,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t channels = PictureCells::channels;
-
-// Degrees of freedom rounded down to one of a few numbers, as a WelchTest takes long to set up.
-double few_degrees(double degrees) {
-  double few = 1;
-  for (double next = 2; next <= degrees && few < 256; next = std::max(few + 1, std::floor(few * 1.25))) few = next;
-  return few;
-}
-
-class Tests {
- public:
-  const WelchTest& of(double level, const EstimatedMean& a, const EstimatedMean& b) {
-    const auto key = std::tuple(level, few_degrees(a.degrees), few_degrees(b.degrees));
-    const auto found = tests_.find(key);
-    if (found != tests_.end()) return found->second;
-    return tests_.emplace(key, WelchTest(level, std::get<1>(key), std::get<2>(key))).first->second;
-  }
-
- private:
-  std::map<std::tuple<double, double, double>, WelchTest> tests_;
-};
-
-// How many standard errors a difference may be away by chance, where its law is skew.
-// Source: Johnson 1978
-double with_skewness(double quantile, double skewness) {
-  return quantile + skewness * (2 * quantile * quantile + 1) / 6;
-}
 
 void scale_by(SideOfCells& side, double scale) {
   for (auto& means : side.means)
@@ -143,7 +115,8 @@ class Comparing {
 
   void fit_scale() {
     if (a_.from_error_layer || b_.from_error_layer)
-      throw std::invalid_argument("a scale can be fitted only to the spread of several renders a side (give more, or --scale K)");
+      throw std::invalid_argument(
+          "a scale can be fitted only to the spread of several renders a side (give more, or --scale K)");
     const BalancedMean balanced(cells_, a_, b_);
     const EstimatedMean a = brightness(balanced, a_), b = brightness(balanced, b_);
     if (!(a.mean > 0 && b.mean > 0))
@@ -161,10 +134,10 @@ class Comparing {
     fairlight::remove_brightness(*balanced_, part, b_);
   }
 
-  double lower_bound(const EstimatedMean& mean) {
-    const EstimatedMean known{0, 0, mean.degrees};
-    const double quantile = tests_.of(options_.beta, mean, known).quantile(mean, known);
-    return std::abs(mean.mean) - with_skewness(quantile, mean.skewness) * std::sqrt(mean.squared_error);
+  double lower_bound(const EstimatedMean& mean) const {
+    const EstimatedMean exact{0, 0, mean.degrees};
+    const double quantile = welch_quantile(options_.beta, mean, exact);
+    return std::abs(mean.mean) - quantile * std::sqrt(mean.squared_error);
   }
 
   // What differences of a border or tile are divided by: its mean, or the picture's if that is
@@ -182,11 +155,10 @@ class Comparing {
     const auto& [a, b, rounding] = pair;
     CellComparison result;
     result.margin = margin;
-    result.p_value = tests_.of(level, a, b).p_value(a, b, rounding);
+    result.p_value = welch_p_value(a, b, rounding);
     const double error = std::sqrt(a.squared_error + b.squared_error), difference = a.mean - b.mean;
-    const double quantile =
-        with_skewness(tests_.of(options_.beta, a, b).quantile(a, b), skewness_of_difference(a, b));
-    const double reach = (error > 0 ? quantile * error : 0) + rounding;
+    const double quantile = welch_quantile(options_.beta, a, b);
+    const double reach = quantile * error + rounding;
     if (difference == 0 && reach == 0) {
       result.verdict = Likeness::same;  // also where both are black
     } else if (!(scale > 0)) {
@@ -234,7 +206,6 @@ class Comparing {
   std::optional<BalancedMean> balanced_;
   std::vector<EstimatedMean> reference_;  // of B, times the scale
   std::array<EstimatedMean, channels> balanced_reference_;
-  Tests tests_;
   Comparison result_;
 };
 

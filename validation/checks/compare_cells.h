@@ -51,12 +51,12 @@ struct Comparison {
   double shown_margin = 0;
 };
 
-/// Compares the means of all cells by Welch's test, at a level that is corrected for the ratio of
-/// the variances and for skewness. The mean of the whole, its balanced mean, the border and the
-/// tiles have a quarter of alpha each, shared equally. Guarantee: asymptotic: the law of a cell's mean is nearly normal,
-/// and one without skewness is tested exactly. Throws std::invalid_argument for levels or margins
-/// outside (0, 0.5), and for a fitted scale with a single picture on a side.
-/// Source   Jung, Hanika and Dachsbacher 2020; Welch 1947. See docs/compare.md
+/// Compares the means of all cells by welch_p_value and welch_quantile. The mean of the whole, its
+/// balanced mean, the border and the tiles have a quarter of alpha each, shared equally; beta is
+/// half for the difference, half for what it is divided by. Guarantee: asymptotic; exact for
+/// normal means. Throws std::invalid_argument for levels or margins outside (0, 0.5), and for a
+/// fitted scale without a spread of pictures.
+/// Source   Jung, Hanika and Dachsbacher 2020. See docs/compare.md
 Comparison compare_cells(const PictureCells& cells, const SideOfCells& a, const SideOfCells& b,
                          const CompareOptions& options);
 
