@@ -122,7 +122,8 @@ Colour chosen(const Imf::MultiPartInputFile& file, std::vector<Colour> all, cons
     const auto plain = std::ranges::find_if(all, [](const Colour& c) { return c.layer.empty(); });
     if (plain != all.end()) return *plain;
   }
-  if (!layer.empty()) {
+  const bool nameless = file.parts() == 1 && all.size() == 1 && all.front().layer.empty();
+  if (!layer.empty() && !nameless) {
     std::erase_if(all, [&](const Colour& c) {
       return c.layer != layer && full_name(file, c) != layer && part_name(file, c.part) != layer;
     });

@@ -42,7 +42,7 @@ struct PixelBlock {
 class PictureFile {
  public:
   /// Opens the file and chooses the colour: the channels R, G, B of the layer or part `layer`, or
-  /// without a name the only ones there are. With `with_errors`, a layer X, Y, Z of Mitsuba's
+  /// without a name the only ones there are. A file of nothing but R, G, B needs no name. With `with_errors`, a layer X, Y, Z of Mitsuba's
   /// moment integrator comes first. Rejects deep, luminance-chroma, subsampled and truncated files,
   /// and pictures of more than 65536 pixels a side.
   explicit PictureFile(const std::string& path, const std::string& layer = "", bool with_errors = false);
