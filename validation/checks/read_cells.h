@@ -12,12 +12,12 @@ namespace fairlight {
 
 /// Options of reading.
 struct CellOptions {
-  std::string layer;                ///< the colour to compare, where a file has several
-  std::optional<PixelWindow> crop;  ///< the region; without it all data windows must be equal
-  int tile = 0;                     ///< see PictureCells
-  std::optional<double> samples;    ///< a pixel, where a single file does not say
-  bool by_pictures = false;         ///< takes the variance from several pictures even if they are fairlight's
-  double filter_radius = 0.5;       ///< of single files, in pixels: see docs/compare.md
+  std::string layer = {};                ///< the colour to compare, where a file has several
+  std::optional<PixelWindow> crop = {};  ///< the region; without it all data windows must be equal
+  int tile = 0;                          ///< see PictureCells
+  std::optional<double> samples = {};    ///< a pixel, where a single file does not say
+  bool by_pictures = false;              ///< takes the variance from several pictures even if they are fairlight's
+  double filter_radius = 0.5;            ///< of single files, in pixels: see docs/compare.md
 };
 
 struct ComparedCells {
