@@ -52,7 +52,7 @@ TEST(Commands, AreAllThere) {
   for (const CLI::App* app : all_commands(program.app)) names.insert(full_name(*app));
   for (const char* name :
        {"verify", "audit", "audit calibration", "audit power", "audit faults", "audit mutate", "audit judges",
-        "audit ledger", "ledger", "ledger show", "ledger merge", "render", "merge", "scenes"})
+        "audit ledger", "compare", "ledger", "ledger show", "ledger merge", "render", "merge", "scenes"})
     EXPECT_TRUE(names.contains("fairlight " + std::string(name))) << name;
 }
 

@@ -7,6 +7,9 @@ namespace fairlight {
 /// Adds `verify` to the program.
 void add_verify_command(CLI::App& program, Command& command);
 
+/// Adds `compare` to the program.
+void add_compare_command(CLI::App& program, Command& command);
+
 /// Adds `ledger` to the program.
 void add_ledger_command(CLI::App& program, Command& command);
 
