@@ -192,7 +192,8 @@ void add_files(CLI::App& app, Options& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("compare", "Compare two sets of pictures: do they estimate the same image?");
+  auto* app = program.add_subcommand(
+      "compare", "Compare two sets of pictures, of any renderers: whether they estimate the same image.");
   auto options = std::make_shared<Options>();
   add_pictures(*app, *options);
   add_statistics(*app, *options);
