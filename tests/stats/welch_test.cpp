@@ -50,6 +50,17 @@ TEST(Welch, ASkewLawNeedsMoreEvidence) {
   EXPECT_GT(welch_quantile(0.01, {0, 1, 200, 0.1}, small), welch_quantile(0.01, {0, 1, 200, 0}, small));
 }
 
+// A deviation of 5 % has the skewness 0.15 if the law is lognormal.
+TEST(Welch, OnALogarithmicScaleALognormalLawCostsNothing) {
+  const EstimatedMean one{1, 0.0025, 200, 0.15}, two{2, 0.01, 200, 0.15};
+  const double t = std::log(2) / std::sqrt(0.005);
+  EXPECT_NEAR(welch_log_p_value(one, two), 2 * cdf(complement(boost::math::students_t(200), t)), 1e-20);
+  EXPECT_GT(welch_log_p_value({1, 0.0025, 200, 0.3}, two), welch_log_p_value(one, two));
+  EXPECT_GT(welch_p_value(one, two), 1e-4) << "undecided on a linear scale";
+  EXPECT_EQ(welch_log_p_value({-1, 0.01, 9, 0}, two), welch_p_value({-1, 0.01, 9, 0}, two));
+  EXPECT_EQ(welch_log_p_value({1, 0, 9, 0}, {1.5, 0, 9, 0}, 0.5), 1);
+}
+
 TEST(Welch, RefusesNoDegreesOfFreedom) {
   EXPECT_THROW(welch_p_value({0, 1, 0, 0}, large), std::invalid_argument);
   EXPECT_THROW(welch_quantile(0, small, large), std::invalid_argument);

@@ -100,6 +100,12 @@ TEST(CompareCells, FindsAWallThatIsTooDark) {
   EXPECT_EQ(count(Likeness::different, 20, [&] { return pictures.compare(dark_wall); }), 20);
 }
 
+TEST(CompareCells, FindsTwiceTheBrightnessInNoise) {
+  Pictures pictures;
+  pictures.samples_a = pictures.samples_b = std::vector<int>(8, 16);
+  EXPECT_EQ(count(Likeness::different, 20, [&] { return pictures.compare([](int, int) { return 2; }); }), 20);
+}
+
 TEST(CompareCells, NamesTheTileThatDiffersMost) {
   Pictures pictures;
   pictures.samples_a = pictures.samples_b = std::vector<int>(8, 256);
