@@ -12,7 +12,8 @@
 namespace fairlight {
 namespace {
 
-// Of two samples of three draws, 1 2 3 and 2 4 6: variances of the means 1/3 and 4/3, t = 2 / sqrt(5/3).
+// Of two samples of three draws, 1 2 3 and 2 4 6: variances of the means 1/3 and 4/3, t = 2 /
+// sqrt(5/3).
 const EstimatedMean small{2, 1. / 3, 2, 0}, large{4, 4. / 3, 2, 0};
 
 TEST(Welch, IsStudentsTestOfTheSmallerDegrees) {

@@ -71,8 +71,8 @@ TEST(CompareCells, RaisesFewFalseAlarmsWithAFittedScale) {
             limit(1000, 0.1));
 }
 
-// The brightness of pictures varies by the noise of one half, which shows in the other half, that has
-// none, when the scale is fitted.
+// The brightness of pictures varies by the noise of one half, which shows in the other half, that
+// has none, when the scale is fitted.
 TEST(CompareCells, PaysForAFittedScale) {
   Pictures pictures;
   pictures.noisy.noisy_columns = 12;

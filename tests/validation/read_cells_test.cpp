@@ -104,7 +104,8 @@ TEST_F(ReadCells, AsksForSeveralPicturesOrErrorLayers) {
   EXPECT_FALSE(read_cells({variance, a[0]}, b, {}).a.from_error_layer) << "two pictures have a spread";
 }
 
-// Mitsuba's moment integrator has errors of X, Y, Z alone, so the other side is read as X, Y, Z too.
+// Mitsuba's moment integrator has errors of X, Y, Z alone, so the other side is read as X, Y, Z
+// too.
 TEST_F(ReadCells, ComparesTheSameChannelsOnBothSides) {
   const auto moments = [&](const std::string& name, float brightness) {
     return picture(folder, name, brightness, [](std::vector<Plane>& planes) {

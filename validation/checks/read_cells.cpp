@@ -69,8 +69,8 @@ class SideReader {
       inputs_.push_back({PictureFile(path, options.layer, with_errors), 0, 0, 0, ""});
     const PictureFile& first = inputs_[0].file;
     noise_.half = std::ranges::any_of(inputs_, [](const Input& input) { return input.file.half(); });
-    // Pixels of fairlight are independent of each other, so their errors say more than a few pictures
-    // do, unless sets of points leave few draws a pixel.
+    // Pixels of fairlight are independent of each other, so their errors say more than a few
+    // pictures do, unless sets of points leave few draws a pixel.
     const bool independent =
         std::ranges::all_of(inputs_, [](const Input& input) { return points_of(input.file) == 1; });
     if (inputs_.size() == 1 || (independent && !options.by_pictures)) noise_.error_layer = first.error_layer();
