@@ -42,9 +42,10 @@ struct PixelBlock {
 class PictureFile {
  public:
   /// Opens the file and chooses the colour: the channels R, G, B of the layer or part `layer`, or
-  /// without a name the only ones there are. A file of nothing but R, G, B needs no name. With `with_errors`, a layer X, Y, Z of Mitsuba's
-  /// moment integrator comes first. Rejects deep, luminance-chroma, subsampled and truncated files,
-  /// and pictures of more than 65536 pixels a side.
+  /// without a name the only ones there are. A file of nothing but R, G, B needs no name. With
+  /// `with_errors`, a layer X, Y, Z of Mitsuba's moment integrator comes first. Rejects deep,
+  /// luminance-chroma, subsampled and truncated files, and pictures of more than 65536 pixels a
+  /// side.
   explicit PictureFile(const std::string& path, const std::string& layer = "", bool with_errors = false);
   ~PictureFile();
   PictureFile(PictureFile&&) noexcept;
@@ -55,7 +56,8 @@ class PictureFile {
   const std::array<std::string, 3>& channels() const;
   /// R, G, B or X, Y, Z, without the layer.
   std::string channel_letters() const;
-  /// x and y of red, green, blue and white. The file's, or those of Rec. 709, which OpenEXR assumes.
+  /// x and y of red, green, blue and white. The file's, or those of Rec. 709, which OpenEXR
+  /// assumes.
   const std::array<double, 8>& chromaticities() const;
   /// Whether a channel of the colour is stored in 16 bits.
   bool half() const;

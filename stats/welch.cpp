@@ -52,4 +52,14 @@ double welch_p_value(const EstimatedMean& a, const EstimatedMean& b, double roun
   return with_hall_factor(p, skewness_of_difference(a, b));
 }
 
+double welch_log_p_value(const EstimatedMean& a, const EstimatedMean& b, double rounding) {
+  if (!(a.mean > 0 && b.mean > 0)) return welch_p_value(a, b, rounding);
+  const auto logarithm = [](const EstimatedMean& x) {
+    const double deviation = std::sqrt(x.squared_error) / x.mean;
+    return EstimatedMean{std::log(x.mean), deviation * deviation, x.degrees,
+                         std::max(0.0, std::abs(x.skewness) - 3 * deviation)};
+  };
+  return welch_p_value(logarithm(a), logarithm(b), rounding / std::min(a.mean, b.mean));
+}
+
 }  // namespace fairlight

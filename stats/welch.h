@@ -28,6 +28,11 @@ double welch_quantile(double level, const EstimatedMean& a, const EstimatedMean&
 /// more. Source: Hall 1992
 double welch_p_value(const EstimatedMean& a, const EstimatedMean& b, double rounding = 0);
 
+/// The same for positive means, by the logarithm of their ratio: a lognormal law, of skewness 3
+/// sqrt(squared_error) / mean, then costs nothing, and only a larger skewness is corrected. For
+/// means that are not positive it is welch_p_value.
+double welch_log_p_value(const EstimatedMean& a, const EstimatedMean& b, double rounding = 0);
+
 /// The skewness of the law of mean a - mean b, as if those of the two never cancelled.
 double skewness_of_difference(const EstimatedMean& a, const EstimatedMean& b);
 

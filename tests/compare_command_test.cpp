@@ -66,6 +66,8 @@ TEST(Compare, IsUndecidedWhereThePicturesShowNeither) {
   const Result run = fairlight(fours + "--margin 1e-6 --alpha 1e-9", folder);
   EXPECT_EQ(run.status, 3) << run.out << run.error;
   EXPECT_NE(run.out.find("such renders a side"), std::string::npos) << run.out;
+  EXPECT_NE(fairlight(fours + "--margin 0.2 --alpha 1e-9", folder).status, 2)
+      << "the margin of tiles stays below 0.5";
 }
 
 TEST(Compare, RefusesRendersWithCommonSamples) {

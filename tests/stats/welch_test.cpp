@@ -12,7 +12,8 @@
 namespace fairlight {
 namespace {
 
-// Of two samples of three draws, 1 2 3 and 2 4 6: variances of the means 1/3 and 4/3, t = 2 / sqrt(5/3).
+// Of two samples of three draws, 1 2 3 and 2 4 6: variances of the means 1/3 and 4/3, t = 2 /
+// sqrt(5/3).
 const EstimatedMean small{2, 1. / 3, 2, 0}, large{4, 4. / 3, 2, 0};
 
 TEST(Welch, IsStudentsTestOfTheSmallerDegrees) {
@@ -48,6 +49,17 @@ TEST(Welch, ASkewLawNeedsMoreEvidence) {
   EXPECT_GT(p(0.1), p(0.02));
   EXPECT_GT(p(1), 0.1);  // one fat draw may be all there is
   EXPECT_GT(welch_quantile(0.01, {0, 1, 200, 0.1}, small), welch_quantile(0.01, {0, 1, 200, 0}, small));
+}
+
+// A deviation of 5 % has the skewness 0.15 if the law is lognormal.
+TEST(Welch, OnALogarithmicScaleALognormalLawCostsNothing) {
+  const EstimatedMean one{1, 0.0025, 200, 0.15}, two{2, 0.01, 200, 0.15};
+  const double t = std::log(2) / std::sqrt(0.005);
+  EXPECT_NEAR(welch_log_p_value(one, two), 2 * cdf(complement(boost::math::students_t(200), t)), 1e-20);
+  EXPECT_GT(welch_log_p_value({1, 0.0025, 200, 0.3}, two), welch_log_p_value(one, two));
+  EXPECT_GT(welch_p_value(one, two), 1e-4) << "undecided on a linear scale";
+  EXPECT_EQ(welch_log_p_value({-1, 0.01, 9, 0}, two), welch_p_value({-1, 0.01, 9, 0}, two));
+  EXPECT_EQ(welch_log_p_value({1, 0, 9, 0}, {1.5, 0, 9, 0}, 0.5), 1);
 }
 
 TEST(Welch, RefusesNoDegreesOfFreedom) {

@@ -12,16 +12,18 @@ namespace fairlight::testing {
 
 /// Pictures in memory whose pixels are means of samples with an exponential law, as of a renderer
 /// with a bright, rarely met light. Channels and pixels have different means; one pixel is a
-/// luminaire, 100 times as bright.
+/// luminaire.
 struct NoisyPictures {
   int width = 24, height = 24;
+  double luminaire = 100;    ///< times as bright as a pixel
   bool wide_filter = false;  ///< a filter of 5 x 5 pixels, by which pixels depend on each other
+  bool grey = false;         ///< green and blue are as red
+  int noisy_columns = 1000;  ///< the columns from here on have no noise
 
   PixelWindow region() const { return {0, 0, width, height}; }
 
   double mean(int x, int y, std::size_t c) const {
-    const double luminaire = x == 9 && y == 3 ? 100 : 1;
-    return luminaire * (0.2 + 0.02 * x + 0.01 * y * static_cast<double>(c));
+    return (x == 9 && y == 3 ? luminaire : 1) * (0.2 + 0.02 * x + 0.01 * y * static_cast<double>(c));
   }
 
   /// A picture of so many samples a pixel, with their standard errors. `factor(x, y)` multiplies
@@ -33,11 +35,12 @@ struct NoisyPictures {
     for (std::size_t c = 0; c < 3; ++c) {
       for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-          const double value = sum(generator) / samples;
+          const double value = x < noisy_columns ? sum(generator) / samples : 1;
           block.colour[c].push_back(static_cast<float>(mean(x, y, c) * factor(x, y) * value));
           block.error[c].push_back(static_cast<float>(mean(x, y, c) / std::sqrt(samples)));
         }
       }
+      if (grey) block.colour[c] = block.colour[0];
       if (wide_filter) block.colour[c] = filtered(block.colour[c]);
     }
     block.samples.assign(block.colour[0].size(), static_cast<float>(samples));

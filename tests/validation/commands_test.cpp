@@ -102,7 +102,8 @@ TEST(Commands, TakeFloatingNumbersByOneCheck) {
         EXPECT_THAT(Program().problem(command + " " + value), HasSubstr(option->get_name() + ": \"")) << name;
     }
   }
-  EXPECT_EQ(numbers, 8) << "verify has three, render three, audit judges and audit mutate one each";
+  EXPECT_EQ(numbers, 13)
+      << "compare has five, verify and render three each, audit judges and audit mutate one each";
 }
 
 TEST(UsageProblem, NamesTheNearestOptionOrCommandAndHelp) {

@@ -71,16 +71,25 @@ TEST(CompareCells, RaisesFewFalseAlarmsWithAFittedScale) {
             limit(1000, 0.1));
 }
 
-// The luminaire makes the plain mean the least certain, so it sets how many pictures are needed.
+// The brightness of pictures varies by the noise of one half, which shows in the other half, that
+// has none, when the scale is fitted.
+TEST(CompareCells, PaysForAFittedScale) {
+  Pictures pictures;
+  pictures.noisy.noisy_columns = 12;
+  pictures.options.fit_scale = true;
+  pictures.options.alpha = 0.1;
+  EXPECT_LE(count(Likeness::different, 100, [&] { return pictures.compare(unchanged); }), limit(100, 0.1));
+}
+
+// The whole is at its margin, and tiles and border are far inside theirs. Channels are equal: else
+// all three would have to be missed at once.
 TEST(CompareCells, SeldomMissesADifferenceOfTheMargin) {
   Pictures pictures;
-  pictures.options.margin = 0.05;
-  pictures.options.tile_margin = 0.4;
-  pictures.samples_a = pictures.samples_b = std::vector<int>(8, 4000);
-  EXPECT_EQ(count(Likeness::same, 20, [&] { return pictures.compare(unchanged); }), 20) << "it can be shown";
-  const double brighter = 1 + pictures.options.margin;
-  pictures.options.alpha = 1e-12;  // else nearly all are called different
-  EXPECT_LE(count(Likeness::same, 200, [&] { return pictures.compare([&](int, int) { return brighter; }); }),
+  pictures.noisy.luminaire = 1;
+  pictures.noisy.grey = true;
+  pictures.options = {.margin = 0.05, .tile_margin = 0.4, .alpha = 1e-12};  // else it is called different
+  EXPECT_EQ(count(Likeness::same, 50, [&] { return pictures.compare(unchanged); }), 50) << "it can be shown";
+  EXPECT_LE(count(Likeness::same, 200, [&] { return pictures.compare([](int, int) { return 1.05; }); }),
             limit(200, 0.01));
 }
 
@@ -89,6 +98,12 @@ TEST(CompareCells, FindsAWallThatIsTooDark) {
   pictures.samples_a = pictures.samples_b = std::vector<int>(8, 1024);
   const auto dark_wall = [](int x, int) { return x < 6 ? 0.9 : 1; };
   EXPECT_EQ(count(Likeness::different, 20, [&] { return pictures.compare(dark_wall); }), 20);
+}
+
+TEST(CompareCells, FindsTwiceTheBrightnessInNoise) {
+  Pictures pictures;
+  pictures.samples_a = pictures.samples_b = std::vector<int>(8, 16);
+  EXPECT_EQ(count(Likeness::different, 20, [&] { return pictures.compare([](int, int) { return 2; }); }), 20);
 }
 
 TEST(CompareCells, NamesTheTileThatDiffersMost) {

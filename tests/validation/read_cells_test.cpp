@@ -104,5 +104,25 @@ TEST_F(ReadCells, AsksForSeveralPicturesOrErrorLayers) {
   EXPECT_FALSE(read_cells({variance, a[0]}, b, {}).a.from_error_layer) << "two pictures have a spread";
 }
 
+// Mitsuba's moment integrator has errors of X, Y, Z alone, so the other side is read as X, Y, Z
+// too.
+TEST_F(ReadCells, ComparesTheSameChannelsOnBothSides) {
+  const auto moments = [&](const std::string& name, float brightness) {
+    return picture(folder, name, brightness, [](std::vector<Plane>& planes) {
+      for (const char* channel : {"X", "Y", "Z"}) {
+        planes.push_back({std::string("path.") + channel, std::vector<float>(30, 3)});
+        planes.push_back({std::string("m2_path.") + channel, std::vector<float>(30, 13)});
+      }
+      planes[3].values[0] = planes.front().values[0] / 8;  // so that no two pictures are equal
+    });
+  };
+  const std::string one = moments("m5.exr", 5), two = moments("m6.exr", 6), three = moments("m7.exr", 7);
+  const ComparedCells compared = read_cells({one}, {two, three}, {.samples = 9});
+  EXPECT_EQ(compared.channels[0], "X");
+  EXPECT_NEAR(compared.a.estimates[1].squared_error, (13. - 9) / 8 / 30, 1e-9);
+  EXPECT_EQ(read_cells({one, two}, {three, a[0]}, {}).channels[0], "R");
+  EXPECT_THAT(problem({one}, b, {.samples = 9}), HasSubstr("different channels, XYZ and RGB"));
+}
+
 }  // namespace
 }  // namespace fairlight

@@ -126,7 +126,8 @@ int status_of(Likeness verdict) { return verdict == Likeness::same ? 0 : verdict
 int compare(Options options) {
   check_outputs(options);
   read_scale(options.scale, options.compare);
-  options.compare.tile_margin = options.tile_margin > 0 ? options.tile_margin : 10 * options.compare.margin;
+  options.compare.tile_margin =
+      options.tile_margin > 0 ? options.tile_margin : std::min(10 * options.compare.margin, 0.49);
   if (!options.crop.empty()) options.cells.crop = window_of(options.crop);
   options.cells.by_pictures = options.cells.by_pictures || options.compare.fit_scale;
   if (options.samples > 0) options.cells.samples = options.samples;
@@ -146,7 +147,7 @@ void add_statistics(CLI::App& app, Options& options) {
       ->capture_default_str();
   add_number(app, "--tile-margin", options.tile_margin, {.low = 0, .high = 0.5},
              "Show that tiles and border differ by less than this part of their mean, or of the balanced mean if "
-             "that is larger. Default: 10 times --margin, at most 0.5.");
+             "that is larger. Default: 10 times --margin, at most 0.49.");
   add_number(app, "--alpha", options.compare.alpha, {.low = 0, .high = 0.5},
              "Call equal images different with this probability, over all channels and tiles.")
       ->capture_default_str();
@@ -192,7 +193,8 @@ void add_files(CLI::App& app, Options& options) {
 }  // namespace
 
 void add_compare_command(CLI::App& program, Command& command) {
-  auto* app = program.add_subcommand("compare", "Compare two sets of pictures: do they estimate the same image?");
+  auto* app = program.add_subcommand(
+      "compare", "Compare two sets of pictures, of any renderers: whether they estimate the same image.");
   auto options = std::make_shared<Options>();
   add_pictures(*app, *options);
   add_statistics(*app, *options);

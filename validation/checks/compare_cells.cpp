@@ -155,7 +155,8 @@ class Comparing {
     const auto& [a, b, rounding] = pair;
     CellComparison result;
     result.margin = margin;
-    result.p_value = welch_p_value(a, b, rounding);
+    // With a fitted scale the means are what is left of them, of either sign.
+    result.p_value = options_.fit_scale ? welch_p_value(a, b, rounding) : welch_log_p_value(a, b, rounding);
     const double error = std::sqrt(a.squared_error + b.squared_error), difference = a.mean - b.mean;
     const double quantile = welch_quantile(options_.beta, a, b);
     const double reach = quantile * error + rounding;

@@ -51,11 +51,11 @@ struct Comparison {
   double shown_margin = 0;
 };
 
-/// Compares the means of all cells by welch_p_value and welch_quantile. The mean of the whole, its
-/// balanced mean, the border and the tiles have a quarter of alpha each, shared equally; beta is
-/// half for the difference, half for what it is divided by. Guarantee: asymptotic; exact for
-/// normal means. Throws std::invalid_argument for levels or margins outside (0, 0.5), and for a
-/// fitted scale without a spread of pictures.
+/// Compares the means of all cells by welch_log_p_value and welch_quantile. The mean of the whole,
+/// its balanced mean, the border and the tiles have a quarter of alpha each, shared equally; beta
+/// is half for the difference, half for what it is divided by. Guarantee: asymptotic. Throws
+/// std::invalid_argument for levels or margins outside (0, 0.5), and for a fitted scale without a
+/// spread of pictures.
 /// Source   Jung, Hanika and Dachsbacher 2020. See docs/compare.md
 Comparison compare_cells(const PictureCells& cells, const SideOfCells& a, const SideOfCells& b,
                          const CompareOptions& options);

@@ -7,8 +7,8 @@
 
 namespace fairlight {
 
-/// The cells of a picture whose means are compared: the whole, its border, and tiles of nearly equal
-/// size that cover it. Each cell is one of three channels.
+/// The cells of a picture whose means are compared: the whole, its border, and tiles of nearly
+/// equal size that cover it. Each cell is one of three channels.
 class PictureCells {
  public:
   static constexpr int border_width = 8;  ///< pixels, or a quarter of the shorter side if less

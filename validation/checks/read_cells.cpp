@@ -64,13 +64,13 @@ double points_of(const PictureFile& file) {
 
 class SideReader {
  public:
-  SideReader(const std::vector<std::string>& paths, const CellOptions& options) {
+  SideReader(const std::vector<std::string>& paths, const CellOptions& options, bool with_errors) {
     for (const std::string& path : paths)
-      inputs_.push_back({PictureFile(path, options.layer, paths.size() == 1), 0, 0, 0, ""});
+      inputs_.push_back({PictureFile(path, options.layer, with_errors), 0, 0, 0, ""});
     const PictureFile& first = inputs_[0].file;
     noise_.half = std::ranges::any_of(inputs_, [](const Input& input) { return input.file.half(); });
-    // Pixels of fairlight are independent of each other, so their errors say more than a few pictures
-    // do, unless sets of points leave few draws a pixel.
+    // Pixels of fairlight are independent of each other, so their errors say more than a few
+    // pictures do, unless sets of points leave few draws a pixel.
     const bool independent =
         std::ranges::all_of(inputs_, [](const Input& input) { return points_of(input.file) == 1; });
     if (inputs_.size() == 1 || (independent && !options.by_pictures)) noise_.error_layer = first.error_layer();
@@ -205,7 +205,8 @@ PixelWindow region_of(const Inputs& inputs, const std::optional<PixelWindow>& cr
 
 ComparedCells read_cells(const std::vector<std::string>& a, const std::vector<std::string>& b,
                          const CellOptions& options, const Progress& progress) {
-  SideReader side_a(a, options), side_b(b, options);
+  const bool with_errors = a.size() == 1 || b.size() == 1;  // on both sides, for equal channels
+  SideReader side_a(a, options, with_errors), side_b(b, options, with_errors);
   const Inputs inputs = all_inputs(side_a, side_b);
   check_paths(inputs);
   check_alike(inputs);

@@ -27,9 +27,10 @@ struct ComparedCells {
 };
 
 /// Reads both sides, a few rows of all files at a time. Throws std::runtime_error, with the file's
-/// name, for: a file that PictureFile refuses; pictures of different windows, channels or primaries;
-/// NaN or infinite pixels, which it counts; a single file on a side without an error layer; and
-/// pictures that are not independent: a file given twice, equal pixels, or common samples.
+/// name, for: a file that PictureFile refuses; pictures of different windows, channels or
+/// primaries; NaN or infinite pixels, which it counts; a single file on a side without an error
+/// layer; and pictures that are not independent: a file given twice, equal pixels, or common
+/// samples.
 ComparedCells read_cells(const std::vector<std::string>& a, const std::vector<std::string>& b,
                          const CellOptions& options, const Progress& progress = {});
 

@@ -24,8 +24,8 @@ class SideSums {
   /// Refers to `cells`.
   SideSums(const PictureCells& cells, std::size_t pictures, const PixelNoise& noise);
 
-  /// Adds rows of all pictures: one block for each, of the same window. With an error
-  /// layer, throws std::domain_error for a pixel of fewer than two samples or without a finite variance.
+  /// Adds rows of all pictures: one block for each, of the same window. With an error layer, throws
+  /// std::domain_error for a pixel of fewer than two samples or without a finite variance.
   void add(const PixelWindow& rows, const std::vector<PixelBlock>& pictures);
 
   SideOfCells finish() &&;
