@@ -22,7 +22,7 @@ struct BlurredEdges {
   int blades;       ///< 0 for a round one
   double rotation;  ///< [rad]
 
-  static constexpr double distance = 3, image_height = 0.4, u0 = 0.0625, v0 = -0.03125;
+  static constexpr double distance = 3, image_height = 0.2, u0 = 0.0625, v0 = -0.0625;
   static Rgb<double> everywhere() { return {1e-4, 0.5, 1e5}; }
   static Rgb<double> on_the_left() { return {3e-4, 0.25, 1e5}; }
   static Rgb<double> above() { return {1e-4, 1, 2e5}; }

@@ -13,6 +13,7 @@ struct EdgePicture {
   BlurredEdges edges;
   PicturePlan plan;
   PixelFilter filter;
+  double margin_factor;
   Arithmetic real = Arithmetic::packets;
 };
 
@@ -33,10 +34,10 @@ Claim edge_picture(const EdgePicture& picture) {
                         "aperture of %d blades leave of each, per quarter and channel",
                         picture.plan.width, picture.plan.height, name_of(picture.filter), picture.edges.blades),
           .source = "similar triangles; Cook, Porter, Carpenter 1984",
-          .margin_factor = 5,
+          .margin_factor = picture.margin_factor,
           .check =
               [=](const Trial& trial) {
-                const auto& [name, edges, plan, pixel_filter, real] = picture;
+                const auto& [name, edges, plan, pixel_filter, factor, real] = picture;
                 const FilterRule filter(pixel_filter);
                 std::vector<double> left, upper;
                 for (int x = 0; x < plan.width; ++x)
@@ -52,18 +53,24 @@ Claim edge_picture(const EdgePicture& picture) {
                 const double largest = (whole / BlurredEdges::everywhere()).maxCoeff() * (1 + 1e-9);
                 return test_pixels<Renderer>(trial, edges.view(), settings, plan, mean, largest);
               },
-          .real = name_of(picture.real)};
+          .real = name_of(picture.real),
+          .finest_margin = finest_margin(quotients(picture.real, 2))};
 }
 
 /// Apertures of three and of six blades, round ones and pinholes, focused before and behind the
-/// edges, with every filter.
+/// edges, with every filter. Small pictures through a pinhole show the filter.
 inline std::vector<EdgePicture> edge_pictures() {
   using enum PixelFilter;
-  return {{"triangle", {1.5, 0.25, 3, 0.4}, {37, 22}, gaussian},
-          {"triangle", {1.5, 0.25, 3, 0.4}, {37, 22}, gaussian, Arithmetic::doubles},
-          {"hexagon", {6, 0.5, 6, -0.7}, {19, 35}, box},
-          {"circle", {1, 0.125, 0, 0}, {21, 21}, blackman_harris},
-          {"pinhole", {1, 0, 0, 0}, {5, 3}, tent}};
+  constexpr BlurredEdges triangle{1.5, 0.25, 3, 0.4}, hexagon{6, 0.5, 6, -0.7}, circle{1, 0.125, 0, 0},
+      pinhole{1, 0, 0, 0};
+  return {{"triangle", triangle, {37, 22}, gaussian, 4},
+          {"triangle", triangle, {37, 22}, gaussian, 5, Arithmetic::doubles},
+          {"hexagon", hexagon, {19, 35}, tent, 5},
+          {"circle", circle, {21, 21}, blackman_harris, 5},
+          {"pinhole.box", pinhole, {5, 3}, box, 10},
+          {"pinhole.tent", pinhole, {3, 5}, tent, 10},
+          {"pinhole.gaussian", pinhole, {5, 3}, gaussian, 10},
+          {"pinhole.blackman-harris", pinhole, {3, 3}, blackman_harris, 10}};
 }
 
 }  // namespace fairlight

@@ -73,7 +73,8 @@ Claim floor_picture(const FloorPicture& picture) {
                     [&](int x, int y) { return floor.pixel(x, y, plan.width, plan.height, filter); },
                     largest_quotient(picture));
               },
-          .real = name_of(picture.settings.real)};
+          .real = name_of(picture.settings.real),
+          .finest_margin = finest_margin(quotients(picture.settings.real, 2))};
 }
 
 /// Landscape, portrait and square pictures whose sides are no multiples of a tile's, with every
@@ -116,7 +117,7 @@ inline std::vector<FloorPicture> floor_pictures() {
        {21, 21, 63, Rendering::ranges},
        roulette(RouletteKind::albedo, floor_settings(packets, gaussian, area, DirectLighting::mis)),
        30},
-      {"one_light", by_both, {17, 33}, roulette(RouletteKind::albedo, floor_settings(packets, tent, area)), 10},
+      {"one_light", by_both, {17, 33}, roulette(RouletteKind::albedo, floor_settings(packets, tent, area)), 20},
       {"odd", by_rectangle, {33, 17, 65, Rendering::seeds}, with_lens(floor_settings(doubles, gaussian, area)), 20},
       {"many", by_sphere, {18, 17, 1000, Rendering::seeds}, floor_settings(packets, tent, cone), 20},
   };

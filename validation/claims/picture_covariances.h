@@ -25,19 +25,22 @@ inline Reference squared_deviation(double n) {
 }
 inline double in_variances(double mean, double n) { return 4 * n * (mean - 0.5) * (mean - 0.5); }
 
-/// How the samples of these pictures are made up.
-inline const char* name_of(Rendering rendering) {
+/// How the samples of these pictures come, in names and in words.
+struct RenderingWords {
+  const char *name, *words;
+};
+inline RenderingWords words_of(Rendering rendering) {
   switch (rendering) {
     case Rendering::at_once:
-      return "at_once";
+      return {"at_once", "at once"};
     case Rendering::resumed:
-      return "resumed";
+      return {"resumed", "in two halves, the second by resuming"};
     case Rendering::ranges:
-      return "ranges";
+      return {"ranges", "as three merged shards of one seed"};
     case Rendering::seeds:
       break;
   }
-  return "seeds";
+  return {"seeds", "as three merged shards of consecutive seeds"};
 }
 
 /// A row about pictures of the grey ball. `check(trial, pictures)` gets ReplicatePictures.
@@ -64,14 +67,15 @@ template <class Renderer = ShippedRenderer>
 Claim variance_of_parts(Arithmetic real, Rendering rendering, std::uint32_t n) {
   const PicturePlan plan{27, 18, n, rendering};
   return grey_picture_row<Renderer>(
-      formatted("parts.%s.%u", name_of(rendering), n),
-      formatted("the variance of a pixel is 1 / (4 n), for n = %u samples that come %s", n, name_of(rendering)),
+      formatted("parts.%s.%u", words_of(rendering).name, n),
+      formatted("the variance of a pixel is 1 / (4 n), for n = %u samples that come %s", n,
+                words_of(rendering).words),
       "the variance of n independent tosses of a coin is 1 / (4 n)", real, plan, 100,
       [=](const Trial& trial, auto& pictures) {
         const std::uint64_t pixels = 27 * 18;
         return test_means(trial, {squared_deviation(n)}, one_channel([&](std::uint64_t i) {
                             const auto at = static_cast<int>(i % pixels);
-                            return in_variances(pictures.at(i / pixels)->at(at % 27, at / 27)[0].mean(), n);
+                            return in_variances(pictures.at(i / pixels).at(at % 27, at / 27)[0].mean(), n);
                           }));
       });
 }
@@ -82,16 +86,16 @@ template <class Renderer = ShippedRenderer>
 Claim error_of_parts(Arithmetic real, Rendering rendering, std::uint32_t n) {
   const PicturePlan plan{27, 18, n, rendering};
   return grey_picture_row<Renderer>(
-      formatted("parts.error.%s.%u", name_of(rendering), n),
+      formatted("parts.error.%s.%u", words_of(rendering).name, n),
       formatted("the mean of the squared standard error of a pixel is 1 / (4 n), for n = %u samples that come %s",
-                n, name_of(rendering)),
+                n, words_of(rendering).words),
       "the variance of n independent tosses of a coin is 1 / (4 n)", real, plan, 10,
       [=](const Trial& trial, auto& pictures) {
         const std::uint64_t pixels = 27 * 18;
         const Reference reference{1, 0, n / (n - 1.0) * (1 + 1e-5)};
         return test_means(trial, {reference}, one_channel([&](std::uint64_t i) {
                             const auto at = static_cast<int>(i % pixels);
-                            const ExactMoments& pixel = pictures.at(i / pixels)->at(at % 27, at / 27)[0];
+                            const ExactMoments& pixel = pictures.at(i / pixels).at(at % 27, at / 27)[0];
                             return 4.0 * n * std::pow(pixel.standard_error(), 2);
                           }));
       });
@@ -111,7 +115,7 @@ Claim variance_of_pictures(Arithmetic real, int width, int height) {
       [=](const Trial& trial, auto& pictures) {
         const double pixels = width * height;
         return test_means(trial, {squared_deviation(pixels)}, one_channel([&](std::uint64_t i) {
-                            const Film& film = *pictures.at(i);
+                            const Film& film = pictures.at(i);
                             double sum = 0;
                             for (int y = 0; y < height; ++y) {
                               for (int x = 0; x < width; ++x) sum += film.at(x, y)[0].mean();
@@ -159,7 +163,7 @@ inline void add_picture_covariances(std::vector<Claim>& claims) {
   for (const Arithmetic real : {Arithmetic::doubles, Arithmetic::packets}) {
     const bool in_packets = real == Arithmetic::packets;
     claims.push_back(uncorrelated_samples(real));
-    claims.push_back(in_packets ? variance_of_pictures(real, 27, 18) : variance_of_pictures(real, 11, 19));
+    claims.push_back(in_packets ? variance_of_pictures(real, 27, 18) : variance_of_pictures(real, 19, 11));
     for (const Rendering part : {Rendering::resumed, Rendering::ranges, Rendering::seeds}) {
       claims.push_back(variance_of_parts(real, part, in_packets ? 192 : 66));
     }
