@@ -31,21 +31,23 @@ inline RenderSettings floor_settings(Arithmetic real, PixelFilter filter, LightP
 
 /// The largest quotient of a sample of a pixel and the pixel's mean. One of two lamps counts twice.
 /// A bounce that shares the light with shadow rays brings no more than they do, as the densities add
-/// up, but for the roulette, which divides by the largest albedo or by more.
+/// up, but for the roulette, which divides by the largest albedo.
 inline double largest_quotient(const FloorPicture& picture) {
   const auto& [name, floor, plan, settings, factor] = picture;
   const FilterRule filter(settings.filter);
-  const double pixel = LitFloor::eye_height * LitFloor::image_height / plan.height;
   const bool shared = settings.direct == DirectLighting::mis, one = settings.which_light == WhichLight::one;
   const double times = (one && floor.sphere && floor.rectangle ? 2 : 1) *
-                       (1 + (shared ? 1 / LitFloor::albedo().maxCoeff() : 0)) * (1 + 1e-4);
+                       (1 + (shared ? 1 / LitFloor::albedo().maxCoeff() : 0)) / floor.of_mirror().maxCoeff() *
+                       (1 + 1e-4);
   double most = 0;
   for (int y = 0; y < plan.height; ++y) {
     for (int x = 0; x < plan.width; ++x) {
-      const Rgb<double> terms =
-          floor.largest_terms(LitFloor::point(x + 0.5, y + 0.5, plan.width, plan.height), filter.reach() * pixel,
-                              settings.light_sampling == LightPoints::cone);
-      most = std::max(most, (times * terms / floor.pixel(x, y, plan.width, plan.height, filter)).maxCoeff());
+      const Rgb<double> terms = floor.largest_terms(floor.point(x + 0.5, y + 0.5, plan.width, plan.height),
+                                                    filter.reach() * floor.pixel_size(plan.height),
+                                                    settings.light_sampling == LightPoints::cone);
+      most = std::max(
+          most,
+          (times * floor.of_mirror() * terms / floor.pixel(x, y, plan.width, plan.height, filter)).maxCoeff());
     }
   }
   return most;
@@ -93,6 +95,10 @@ inline std::vector<FloorPicture> floor_pictures() {
     settings.aperture = 0.1;
     return settings;
   };
+  const auto to_depth_2 = [](RenderSettings settings) {
+    settings.max_depth = 2;
+    return settings;
+  };
   const auto roulette = [](RouletteKind kind, RenderSettings settings) {
     settings.roulette = kind;
     settings.roulette_depth = 1;
@@ -119,6 +125,7 @@ inline std::vector<FloorPicture> floor_pictures() {
        30},
       {"one_light", by_both, {17, 33}, roulette(RouletteKind::albedo, floor_settings(packets, tent, area)), 20},
       {"odd", by_rectangle, {33, 17, 65, Rendering::seeds}, with_lens(floor_settings(doubles, gaussian, area)), 20},
+      {"mirrored", {true, true, true}, {25, 18}, to_depth_2(floor_settings(packets, tent, area)), 25},
       {"many", by_sphere, {18, 17, 1000, Rendering::seeds}, floor_settings(packets, tent, cone), 20},
   };
 }

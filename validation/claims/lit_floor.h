@@ -10,22 +10,26 @@
 
 namespace fairlight {
 
-/// A diffuse floor, z = 0, seen from straight above by a camera that is focused on it. Lamps beside
-/// and above the view light it: a sphere, a rectangle parallel to the floor, or both. Light from the
-/// floor reaches no other surface that reflects, so paths have one bounce. No two points of the
-/// picture, and no two channels, are equal.
-/// Formula  L = rho sum Le E / pi, E = pi (r/d)^2 cos(theta) of the sphere, and of the rectangle by
-///          Lambert's contour formula
+/// A diffuse floor, z = 0, seen from straight above by a camera that is focused on it; or in a
+/// coloured mirror above the camera, with left and right exchanged. Lamps beside and above the view
+/// light it: a sphere, a rectangle parallel to the floor, or both. No two points of the picture, and
+/// no two channels, are equal. Paths end before light can reach the floor by the mirror.
+/// Formula  L = rho / pi sum Le E, times the colour of the mirror; E = pi (r/d)^2 cos(theta) of the
+///          sphere, and of the rectangle by Lambert's contour formula
 /// Source   Snyder 1996; Lambert 1760
 struct LitFloor {
-  bool sphere, rectangle;
+  bool sphere, rectangle, mirror = false;
 
-  static constexpr double eye_height = 1.5, image_height = 1.1, radius = 0.3;
-  static Vec3<double> eye() { return {0.25, -0.125, eye_height}; }
+  static constexpr double mirror_height = 1.5, image_height = 1.1, radius = 0.3;
+  /// The eye is at the mirror's place, or below it.
+  Vec3<double> eye() const { return {0.25, -0.125, mirror ? 1.25 : mirror_height}; }
+  /// Of the floor from the eye, along the axis [m].
+  double distance() const { return 2 * mirror_height - eye().z(); }
   static Vec3<double> centre() { return {-1.1, -0.5, 1.9}; }
   static Vec3<double> corner() { return {0.6, 0.4, 1.7}; }
   static constexpr double edge_x = 0.75, edge_y = 0.5;
   static Rgb<double> albedo() { return {0.8, 0.5, 0.25}; }
+  Rgb<double> of_mirror() const { return mirror ? Rgb<double>(0.9, 0.6, 0.3) : Rgb<double>(1, 1, 1); }
   static Rgb<double> of_sphere() { return {3e-4, 1, 4e4}; }
   static Rgb<double> of_rectangle() { return {1e-4, 2, 1e5}; }
 
@@ -36,12 +40,17 @@ struct LitFloor {
     scene.add_rectangle({-16, -16, 0}, {32, 0, 0}, {0, 32, 0}, albedo(), none);
     if (sphere) scene.add_sphere(centre(), radius, none, of_sphere());
     if (rectangle) scene.add_rectangle(corner(), {edge_x, 0, 0}, {0, edge_y, 0}, none, of_rectangle());
+    if (mirror) {
+      const Vec3<double> middle(eye().x(), eye().y(), mirror_height);
+      scene.add_rectangle(middle - Vec3<double>(0.3, 0.2, 0), {0.6, 0, 0}, {0, 0.4, 0},
+                          Material(Material::Kind::mirror, of_mirror(), 1), none);
+    }
     const Camera camera({.eye = eye(),
-                         .look = {0, 0, -1},
+                         .look = {0, 0, mirror ? 1.0 : -1.0},
                          .up = {0, 1, 0},
                          .image_height = image_height,
                          .aperture_radius = lens,
-                         .focus_distance = eye_height,
+                         .focus_distance = distance(),
                          .blades = 5,
                          .blade_rotation = 0.3});
     return {"lit_floor", scene, camera};
@@ -63,10 +72,11 @@ struct LitFloor {
   }
 
   /// The point of the floor that is at (x, y), in pixels from the top left corner of a picture.
-  static Vec3<double> point(double x, double y, int width, int height) {
-    const double pixel = eye_height * image_height / height;
-    return eye() + Vec3<double>((x - width / 2.0) * pixel, (height / 2.0 - y) * pixel, -eye_height);
+  Vec3<double> point(double x, double y, int width, int height) const {
+    const double pixel = pixel_size(height), right = (x - width / 2.0) * pixel, up = (height / 2.0 - y) * pixel;
+    return {eye().x() + (mirror ? -right : right), eye().y() + up, 0};
   }
+  double pixel_size(int height) const { return distance() * image_height / height; }
 
   /// No shadow ray to each lamp brings more than this times rho Le of the lamp, over a rectangle of
   /// the floor about `middle` that reaches this far along x and y [m].
@@ -93,8 +103,8 @@ struct LitFloor {
 
   /// What a pixel shows.
   Rgb<double> pixel(int x, int y, int width, int height, const FilterRule& filter) const {
-    return filter.mean(x + 0.5, y + 0.5,
-                       [&](double px, double py) { return Rgb<double>(radiance(point(px, py, width, height))); });
+    const auto floor = [&](double px, double py) { return radiance(point(px, py, width, height)); };
+    return of_mirror() * filter.mean(x + 0.5, y + 0.5, floor);
   }
 };
 
