@@ -70,7 +70,7 @@ Claim variance_of_parts(Arithmetic real, Rendering rendering, std::uint32_t n) {
       formatted("parts.%s.%u", words_of(rendering).name, n),
       formatted("the variance of a pixel is 1 / (4 n), for n = %u samples that come %s", n,
                 words_of(rendering).words),
-      "the variance of n independent tosses of a coin is 1 / (4 n)", real, plan, 100,
+      "the variance of n independent tosses of a coin is 1 / (4 n)", real, plan, 90,
       [=](const Trial& trial, auto& pictures) {
         const std::uint64_t pixels = 27 * 18;
         return test_means(trial, {squared_deviation(n)}, one_channel([&](std::uint64_t i) {
@@ -111,7 +111,7 @@ Claim variance_of_pictures(Arithmetic real, int width, int height) {
           "the variance of the mean of %d x %d pixels of one sample is that of one divided by their number, so "
           "no two pixels are correlated",
           width, height),
-      "the variance of a sum of uncorrelated numbers", real, {width, height}, 100,
+      "the variance of a sum of uncorrelated numbers", real, {width, height}, 90,
       [=](const Trial& trial, auto& pictures) {
         const double pixels = width * height;
         return test_means(trial, {squared_deviation(pixels)}, one_channel([&](std::uint64_t i) {
