@@ -10,11 +10,11 @@
 namespace fairlight {
 
 /// Four lit rectangles about a point of a plane across the axis of a camera that is focused before
-/// or behind it. At u to the right of the axis and v below it the radiance is
-///   A + B [u < u0] + C [v < v0],
-/// so a pixel shows A + B P(u < u0) + C P(v < v0): its filter and the aperture blur the edges.
-/// Formula  the ray through the point l of the lens meets the plane at D s + l (1 - D/f), where s is
-///          the direction of the pinhole's ray, D the distance of the plane and f that in focus
+/// or behind it. At u to the right of the axis and v below it the radiance is A + B [u < u0] + C [v
+/// < v0], so a pixel shows A + B P(u < u0) + C P(v < v0): its filter and the aperture blur the
+/// edges.
+/// Formula  the ray through the point l of the lens meets the plane at D s + l (1 - D/f), where s
+///          is the direction of the pinhole's ray, D the distance of the plane and f that in focus
 /// Source   similar triangles; Cook, Porter, Carpenter 1984
 struct BlurredEdges {
   double focus;     ///< f [m]
@@ -56,9 +56,9 @@ struct BlurredEdges {
       const double x = std::clamp(t / radius, -1.0, 1.0);
       return 0.5 + (x * std::sqrt(1 - x * x) + std::asin(x)) / std::numbers::pi;
     }
-    // Twice the area of the polygon between each blade, or the part of it below t, and the line at t
-    // or the lowest corner. The shoelace formula with the coordinate cut at t: a blade that crosses
-    // the line is two segments.
+    // Twice the area of the polygon between each blade, or the part of it below t, and the line at
+    // t or the lowest corner. The shoelace formula with the coordinate cut at t: a blade that
+    // crosses the line is two segments.
     double below = 0, whole = 0;
     for (int k = 0; k < blades; ++k) {
       const Vec2<double> a = corner(k, axis), b = corner(k + 1, axis);

@@ -26,8 +26,9 @@ class FilterRule {
   /// The largest offset along an axis [pixel].
   double reach() const { return reach_; }
 
-  /// The mean of a smooth f(x, y) over the filter about a point, by three nodes along each axis. They
-  /// have the second and the fourth moment of the filter, so polynomials up to degree 5 are exact.
+  /// The mean of a smooth f(x, y) over the filter about a point, by three nodes along each axis.
+  /// They have the second and the fourth moment of the filter, so polynomials up to degree 5 are
+  /// exact.
   template <class F>
   Rgb<double> mean(double x, double y, const F& f) const {
     const auto of = [this](int i) { return i == 0 ? 1 - 2 * weight_ : weight_; };

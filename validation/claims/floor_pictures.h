@@ -30,8 +30,8 @@ inline RenderSettings floor_settings(Arithmetic real, PixelFilter filter, LightP
 }
 
 /// The largest quotient of a sample of a pixel and the pixel's mean. One of two lamps counts twice.
-/// A bounce that shares the light with shadow rays brings no more than they do, as the densities add
-/// up, but for the roulette, which divides by the largest albedo.
+/// A bounce that shares the light with shadow rays brings no more than they do, as the densities
+/// add up, but for the roulette, which divides by the largest albedo.
 inline double largest_quotient(const FloorPicture& picture) {
   const auto& [name, floor, plan, settings, factor] = picture;
   const FilterRule filter(settings.filter);
@@ -117,7 +117,8 @@ inline std::vector<FloorPicture> floor_pictures() {
        {35, 18, 64, Rendering::resumed},
        with_lens(sets(RandomNumbers::stratified, 16,
                       roulette(RouletteKind::throughput,
-                               floor_settings(packets, blackman_harris, solid_angle, DirectLighting::mis))))},
+                               floor_settings(packets, blackman_harris, solid_angle, DirectLighting::mis)))),
+       8},
       {"square",
        by_both,
        {21, 21, 63, Rendering::ranges},

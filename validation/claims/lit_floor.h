@@ -12,8 +12,8 @@ namespace fairlight {
 
 /// A diffuse floor, z = 0, seen from straight above by a camera that is focused on it; or in a
 /// coloured mirror above the camera, with left and right exchanged. Lamps beside and above the view
-/// light it: a sphere, a rectangle parallel to the floor, or both. No two points of the picture, and
-/// no two channels, are equal. Paths end before light can reach the floor by the mirror.
+/// light it: a sphere, a rectangle parallel to the floor, or both. No two points of the picture,
+/// and no two channels, are equal. Paths end before light can reach the floor by the mirror.
 /// Formula  L = rho / pi sum Le E, times the colour of the mirror; E = pi (r/d)^2 cos(theta) of the
 ///          sphere, and of the rectangle by Lambert's contour formula
 /// Source   Snyder 1996; Lambert 1760
@@ -80,8 +80,9 @@ struct LitFloor {
 
   /// No shadow ray to each lamp brings more than this times rho Le of the lamp, over a rectangle of
   /// the floor about `middle` that reaches this far along x and y [m].
-  /// Bound    of the rectangle by area and by solid angle A h^2 / (pi t^4), t the shortest distance;
-  ///          of the sphere by area 4 r^2 / (d - r)^2, and by cone 2 (1 - cos(alpha)), sin(alpha) = r / d
+  /// Bound    of the rectangle by area and by solid angle A h^2 / (pi t^4), t the shortest
+  ///          distance; of the sphere by area 4 r^2 / (d - r)^2, and by cone 2 (1 - cos(alpha)),
+  ///          sin(alpha) = r / d
   Rgb<double> largest_terms(const Vec3<double>& middle, double reach, bool by_cone) const {
     const auto beyond = [reach](double offset, double size) {
       return std::max(std::abs(offset) - size - reach, 0.0);

@@ -125,9 +125,9 @@ Claim variance_of_pictures(Arithmetic real, int width, int height) {
       });
 }
 
-/// Pairs of samples that have nothing in common but that their numbers are made alike: of neighbours
-/// to the right and below; of samples 0 and 64, 63 and 64 of a pixel; of samples of seeds s and
-/// s + 1. The mean of 4 (a - 1/2) (b - 1/2) over a picture's pairs is 0, and at most 1.
+/// Pairs of samples that have nothing in common but that their numbers are made alike: of
+/// neighbours to the right and below; of samples 0 and 64, 63 and 64 of a pixel; of samples of
+/// seeds s and s + 1. The mean of 4 (a - 1/2) (b - 1/2) over a picture's pairs is 0, and at most 1.
 template <class Renderer = ShippedRenderer>
 Claim uncorrelated_samples(Arithmetic real) {
   constexpr int width = 27, height = 18;

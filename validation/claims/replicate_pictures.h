@@ -24,8 +24,8 @@ struct PicturePlan {
   Rendering rendering = Rendering::at_once;
 };
 
-/// Independent pictures of a view by the renderer as it is shipped: picture r has a seed of its own,
-/// and its samples begin at 0, as those of a user's picture do.
+/// Independent pictures of a view by the renderer as it is shipped: picture r has a seed of its
+/// own, and its samples begin at 0, as those of a user's picture do.
 template <class Renderer = ShippedRenderer>
 class ReplicatePictures {
  public:
@@ -42,7 +42,8 @@ class ReplicatePictures {
     return film_;
   }
 
-  /// These samples of picture r, or of one of a seed that is greater by `further`. Throws as at does.
+  /// These samples of picture r, or of one of a seed that is greater by `further`. Throws as at
+  /// does.
   Film part(std::uint64_t r, std::uint64_t further, SampleRange range) const {
     return accepted(r, [&] { return rendered(seed_of(r) + further, range); });
   }
@@ -126,11 +127,11 @@ inline std::vector<Reference> quotients(Arithmetic real, double largest) {
                                      : rounded_references<double>(references);
 }
 
-/// Tests that each pixel of a picture has its mean: channel 3 q + c is the quotient of the pixels of
-/// quarter q and their means in channel c, which is 1 in the mean. Quotients of pixels that took
-/// each other's place have a mean above 1, since r + 1/r > 2. `mean(x, y)` is what channels ought to
-/// show, and no sample exceeds `largest` times that.
-/// Draw i of a channel is a pixel of its own, so draws have equal means, and are independent.
+/// Tests that each pixel of a picture has its mean: channel 3 q + c is the quotient of the pixels
+/// of quarter q and their means in channel c, which is 1 in the mean. Quotients of pixels that took
+/// each other's place have a mean above 1, since r + 1/r > 2. `mean(x, y)` is what channels ought
+/// to show, and no sample exceeds `largest` times that. Draw i of a channel is a pixel of its own,
+/// so draws have equal means, and are independent.
 template <class Renderer>
 Finding test_pixels(const Trial& trial, const View& view, const RenderSettings& settings, const PicturePlan& plan,
                     const auto& mean, double largest) {

@@ -1,5 +1,3 @@
-#include <stdexcept>
-
 #include <fairlight/validation/claims/edge_pictures.h>
 #include <fairlight/validation/claims/floor_pictures.h>
 #include <fairlight/validation/claims/picture_covariances.h>
@@ -44,17 +42,15 @@ std::vector<Fault> picture_faults() {
   using Wrapped = faults::SampleNumbersWrapAt64;
   const std::string place = "place in the picture", repeated = "reused number", sort = "the class of SORT #35";
   return {
-      {"pixels-stored-by-columns", place, "the class of matplotlib's images of transposed arrays",
-       floor_by<faults::StoredByColumns>("landscape")},
-      {"rows-from-below", place, "the class of OpenGL's textures", floor_by<faults::UpsideDown>("portrait")},
-      {"left-and-right-exchanged", place, "none: a basis of the other handedness",
-       floor_by<faults::Mirrored>("landscape")},
+      {"pixels-stored-by-columns", place, "mitsuba2 #24", floor_by<faults::StoredByColumns>("landscape")},
+      {"rows-from-below", place, "raytracing.github.io #1076", floor_by<faults::UpsideDown>("portrait")},
+      {"left-and-right-exchanged", place, "pytorch3d #78", floor_by<faults::Mirrored>("landscape")},
       {"pixels-about-corners", place, "Heckbert 1990, \"What are the coordinates of a pixel?\"",
        floor_by<faults::PixelsAboutCorners>("landscape")},
       {"field-of-view-along-the-width", place, "the class of Mitsuba's fov_axis",
        floor_by<faults::FieldOfViewAlongTheWidth>("landscape")},
-      {"last-row-lost", place, "none: a loop that ends one too early", floor_by<faults::LastRowLost>("odd")},
-      {"blue-first", "channels", "the class of OpenCV's images", floor_by<faults::BlueFirst>("landscape")},
+      {"last-row-lost", place, "the class of three-gpu-pathtracer #508", floor_by<faults::LastRowLost>("odd")},
+      {"blue-first", "channels", "rviz_camera_stream #21", floor_by<faults::BlueFirst>("landscape")},
       {"normalised-by-whole-tiles", "filter", "none: a sum of weights that a picture's edge cuts",
        floor_by<faults::NormalisedByWholeTiles>("landscape")},
       {"always-a-tent", "strategy off", "none: a setting that does not arrive",
@@ -72,7 +68,7 @@ std::vector<Fault> picture_faults() {
         variance_of_pictures<faults::NumbersByHeight>(packets, 27, 18)}},
       {"tiles-share-numbers",
        "streams",
-       sort,
+       "the class of scrimage #508",
        {variance_of_pictures<faults::NumbersOfOneTile>(doubles, 19, 11),
         variance_of_pictures<faults::NumbersOfOneTile>(packets, 27, 18)}},
       {"sample-numbers-wrap-at-64",
@@ -82,7 +78,7 @@ std::vector<Fault> picture_faults() {
         variance_of_parts<Wrapped>(packets, Rendering::at_once, 256)}},
       {"resumed-from-the-start", repeated, sort, parts_by<faults::ResumedFromTheStart>(Rendering::resumed)},
       {"shards-of-the-same-samples", repeated, sort, parts_by<faults::ResumedFromTheStart>(Rendering::ranges)},
-      {"shards-of-one-seed", repeated, "the class of RFC 8259, 6: integers beyond 2^53 in JSON",
+      {"shards-of-one-seed", repeated, "the class of PsyNeuLink #3358",
        parts_by<faults::SeedsThroughDoubles>(Rendering::seeds)},
   };
 }

@@ -32,7 +32,7 @@ struct Place {
 }  // namespace detail
 
 /// Pixels are written by columns and read by rows, so only a square picture is a plain transpose.
-/// On record: the class of numpy's order="F" images.
+/// On record: mitsuba2 #24.
 struct StoredByColumns {
   static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                      Film& film) {
@@ -44,7 +44,7 @@ struct StoredByColumns {
   }
 };
 
-/// Rows from the bottom up, as in OpenGL.
+/// Rows from the bottom up, as in OpenGL. On record: raytracing.github.io #1076.
 struct UpsideDown {
   static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                      Film& film) {
@@ -55,7 +55,7 @@ struct UpsideDown {
   }
 };
 
-/// Left and right exchanged, as by a camera's basis of the other handedness.
+/// Left and right exchanged, by a camera's basis of the other handedness. On record: pytorch3d #78.
 struct Mirrored {
   static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                      Film& film) {
@@ -78,7 +78,8 @@ struct NumbersByHeight {
   }
 };
 
-/// Pixels are numbered within their tile, so all tiles have the samples of the first.
+/// Pixels are numbered within their tile, so all tiles have the samples of the first. On record:
+/// the class of scrimage #508.
 struct NumbersOfOneTile {
   static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                      Film& film) {
@@ -88,7 +89,7 @@ struct NumbersOfOneTile {
   }
 };
 
-/// Blue comes first, as in OpenCV.
+/// Blue comes first, as in OpenCV. On record: rviz_camera_stream #21.
 struct BlueFirst {
   static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                      Film& film) {
@@ -102,7 +103,8 @@ struct BlueFirst {
   }
 };
 
-/// The last row of the last tiles is not traced, as by a loop that ends one too early. It stays black.
+/// The last row of the last tiles is not traced, and stays black. On record: the class of
+/// three-gpu-pathtracer #508.
 struct LastRowLost {
   static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                      Film& film) {
@@ -151,7 +153,7 @@ struct SampleNumbersWrapAt64 {
 };
 
 /// Shards of consecutive seeds have the numbers of one: seeds pass through a double, which keeps 53
-/// of their 64 bits, as in JSON.
+/// of their 64 bits, as in JSON. On record: the class of PsyNeuLink #3358.
 struct SeedsThroughDoubles {
   static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
                      Film& film) {
@@ -162,7 +164,7 @@ struct SeedsThroughDoubles {
 
 namespace detail {
 
-/// Renders with changed optics: `change(camera, width, height)` gets the camera's settings.
+/// Renders with changed optics: `change(camera)` gets the camera's settings.
 template <class Change>
 void render_through(View view, const RenderSettings& settings, std::uint64_t seed, SampleRange range, Film& film,
                     const Change& change) {
