@@ -47,7 +47,7 @@ TEST(LitFloor, ShowsTheSphereAboveAPoint) {
   const LitFloor floor{true, false};
   const Rgb<double> below = floor.radiance({-1.1, -0.5, 0});
   EXPECT_NEAR(below[1], 0.5 * 1 * (0.3 * 0.3) / (1.9 * 1.9), 1e-15);
-  EXPECT_NEAR(below[2] / below[0], 0.25 * 4e4 / (0.8 * 3e-4), 1e-6);
+  EXPECT_NEAR(below[2] / below[0] / (0.25 * 2e6 / (0.8 * 0.1)), 1, 1e-12);
 }
 
 // The form factor of a parallel rectangle is the integral of h^2 / (pi d^4).
@@ -68,8 +68,8 @@ TEST(LitFloor, AveragesAPixelOverItsFilter) {
                           20, 21)
           .value;
   EXPECT_NEAR(floor.pixel(3, 20, 37, 22, FilterRule(PixelFilter::box))[1] / mean, 1, 1e-8);
-  // The widest filter, by the middles of 400 x 400 squares.
-  constexpr int n = 400;
+  // The widest filter, by the middles of 200 x 200 squares.
+  constexpr int n = 200;
   double sum = 0, weights = 0;
   const auto shape = [](double x) {
     const double turn = std::numbers::pi * x / 2;
@@ -83,6 +83,21 @@ TEST(LitFloor, AveragesAPixelOverItsFilter) {
     }
   }
   EXPECT_NEAR(floor.pixel(30, 2, 35, 18, FilterRule(PixelFilter::blackman_harris))[2] / (sum / weights), 1, 1e-6);
+}
+
+// The corners of the landscape and of the portrait are the darkest places, those below lamps the brightest.
+TEST(LitFloor, ShowsNineDecadesOfRadiance) {
+  const LitFloor by_sphere{true, false}, by_rectangle{false, true};
+  const FilterRule box(PixelFilter::box);
+  double least = 1, most = 1;
+  for (const auto& [x, y] : {std::pair{0, 0}, {0, 21}, {36, 0}, {36, 21}, {27, 0}}) {
+    for (const LitFloor& floor : {by_sphere, by_rectangle}) {
+      least = std::min(least, floor.pixel(x, y, 37, 22, box).minCoeff());
+      most = std::max(most, floor.pixel(x, y, 37, 22, box).maxCoeff());
+    }
+  }
+  EXPECT_LT(least, 1.3e-4);
+  EXPECT_GT(most, 0.9e5);
 }
 
 TEST(LitFloor, IsSeenUprightAndInTheMirrorExchanged) {

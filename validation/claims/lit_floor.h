@@ -30,8 +30,8 @@ struct LitFloor {
   static constexpr double edge_x = 0.75, edge_y = 0.5;
   static Rgb<double> albedo() { return {0.8, 0.5, 0.25}; }
   Rgb<double> of_mirror() const { return mirror ? Rgb<double>(0.9, 0.6, 0.3) : Rgb<double>(1, 1, 1); }
-  static Rgb<double> of_sphere() { return {3e-4, 1, 4e4}; }
-  static Rgb<double> of_rectangle() { return {1e-4, 2, 1e5}; }
+  static Rgb<double> of_sphere() { return {0.1, 1, 2e6}; }
+  static Rgb<double> of_rectangle() { return {0.04, 2, 1e7}; }
 
   /// The view; with a lens if its radius is positive [m].
   View view(double lens) const {

@@ -125,16 +125,16 @@ Claim variance_of_pictures(Arithmetic real, int width, int height) {
       });
 }
 
-/// Pairs of samples that have nothing in common but that their numbers are made alike: of
-/// neighbours to the right and below; of samples 0 and 64, 63 and 64 of a pixel; of samples of
-/// seeds s and s + 1. The mean of 4 (a - 1/2) (b - 1/2) over a picture's pairs is 0, and at most 1.
+/// The samples of pairs whose numbers are made alike: of a pixel and its neighbours, of sample 0 and
+/// others of a pixel, of seeds s and s + 1. Sample 2^32 is the first one whose number takes more
+/// than 32 bits. The mean of 4 (a - 1/2) (b - 1/2) over a picture's pairs is 0, and at most 1.
 template <class Renderer = ShippedRenderer>
 Claim uncorrelated_samples(Arithmetic real) {
   constexpr int width = 27, height = 18;
   return grey_picture_row<Renderer>(
       "uncorrelated",
-      "neighbouring pixels, samples 0, 63 and 64 of a pixel, and seeds s and s + 1 are uncorrelated",
-      "independence", real, {width, height}, 20, [=](const Trial& trial, auto& pictures) {
+      "neighbouring pixels, samples 0, 1, 64 and 2^32 of a pixel, and seeds s and s + 1 are uncorrelated",
+      "independence", real, {width, height}, 20, [](const Trial& trial, auto& pictures) {
         const auto mean_product = [](const Film& a, const Film& b, int right, int down) {
           double sum = 0;
           for (int y = 0; y + down < height; ++y) {
@@ -143,16 +143,17 @@ Claim uncorrelated_samples(Arithmetic real) {
           }
           return 4 * sum / ((width - right) * (height - down));
         };
-        const std::vector<Reference> references(5, Reference{0, -1.001, 1.001, 0, 1});
+        const std::vector<Reference> references(6, Reference{0, -1.001, 1.001, 0, 1});
         return test_means(trial, references, [&](std::uint64_t first, std::vector<std::vector<double>>& channels) {
           for (std::size_t i = 0; i < channels[0].size(); ++i) {
-            const Film &at_0 = pictures.part(first + i, 0, {0, 1}), at_63 = pictures.part(first + i, 0, {63, 64}),
-                       at_64 = pictures.part(first + i, 0, {64, 65}), next = pictures.part(first + i, 1, {0, 1});
+            const auto sample = [&](std::uint64_t n) { return pictures.part(first + i, 0, {n, n + 1}); };
+            const Film at_0 = sample(0);
             channels[0][i] = mean_product(at_0, at_0, 1, 0);
             channels[1][i] = mean_product(at_0, at_0, 0, 1);
-            channels[2][i] = mean_product(at_0, at_64, 0, 0);
-            channels[3][i] = mean_product(at_63, at_64, 0, 0);
-            channels[4][i] = mean_product(at_0, next, 0, 0);
+            channels[2][i] = mean_product(at_0, sample(1), 0, 0);
+            channels[3][i] = mean_product(at_0, sample(64), 0, 0);
+            channels[4][i] = mean_product(at_0, sample(std::uint64_t{1} << 32), 0, 0);
+            channels[5][i] = mean_product(at_0, pictures.part(first + i, 1, {0, 1}), 0, 0);
           }
         });
       });

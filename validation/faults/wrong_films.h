@@ -152,6 +152,15 @@ struct SampleNumbersWrapAt64 {
   }
 };
 
+/// Sample numbers of 32 bits.
+struct SampleNumbersOf32Bits {
+  static void render(const View& view, const RenderSettings& settings, std::uint64_t seed, SampleRange range,
+                     Film& film) {
+    const std::uint64_t low = range.first & 0xFFFFFFFFu;
+    ShippedRenderer::render(view, settings, seed, {low, low + range.last - range.first}, film);
+  }
+};
+
 /// Shards of consecutive seeds have the numbers of one: seeds pass through a double, which keeps 53
 /// of their 64 bits, as in JSON. On record: the class of PsyNeuLink #3358.
 struct SeedsThroughDoubles {
