@@ -3,7 +3,6 @@
 #include <fairlight/validation/claims/picture_covariances.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_films.h>
-#include <fairlight/validation/faults/wrong_pictures.h>
 
 namespace fairlight {
 namespace {
