@@ -27,6 +27,7 @@ void add_scene_strategy_claims(std::vector<Claim>& claims);
 void add_relation_claims(std::vector<Claim>& claims);
 void add_paired_path_claims(std::vector<Claim>& claims);
 void add_whole_domain_claims(std::vector<Claim>& claims);
+void add_whole_picture_claims(std::vector<Claim>& claims);
 
 /// Adds all rows, each with the name of its file, for packets of the width that this is compiled
 /// for.
@@ -54,7 +55,8 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"scene_strategies.cpp", add_scene_strategy_claims},
                              {"relations.cpp", add_relation_claims},
                              {"paired_paths.cpp", add_paired_path_claims},
-                             {"whole_domains.cpp", add_whole_domain_claims}}) {
+                             {"whole_domains.cpp", add_whole_domain_claims},
+                             {"pictures.cpp", add_whole_picture_claims}}) {
     const std::size_t before = claims.size();
     topic.add(claims);
     for (std::size_t i = before; i < claims.size(); ++i) claims[i].file = topic.file;

@@ -36,5 +36,6 @@ std::vector<Fault> direct_light_faults();
 std::vector<Fault> relation_faults();
 std::vector<Fault> second_order_faults();
 std::vector<Fault> whole_domain_faults();
+std::vector<Fault> picture_faults();
 
 }  // namespace fairlight
