@@ -30,7 +30,6 @@ double still_below(double level, double k) {
 // are hardly ever late together, and Bonferroni's bound is nearly the probability.
 double one_below(double level, double k) { return std::min(1.0, 2 * still_below(level, k)); }
 
-
 double k_with(double level, double missing) {
   std::uintmax_t iterations = 200;
   const auto excess = [&](double k) { return one_below(level, k) - missing; };

@@ -46,8 +46,8 @@ NumberStream::NumberStream(std::istream& in, NumberFormat format, std::size_t co
 }
 
 void NumberStream::fail(const std::string& problem) const {
-  throw BadInput(formatted("line %llu of %s %s", static_cast<unsigned long long>(lines_), name_.c_str(),
-                           problem.c_str()));
+  throw BadInput(
+      formatted("line %llu of %s %s", static_cast<unsigned long long>(lines_), name_.c_str(), problem.c_str()));
 }
 
 // Bounds the memory that a line takes: a file without line ends is no text of numbers.
@@ -109,8 +109,8 @@ std::size_t NumberStream::read_binary(std::vector<std::vector<double>>& channels
   const std::size_t got = read_bytes(place, wanted);
   if (got % row_size != 0)
     throw BadInput(formatted("%s ends %zu bytes into row %llu, which has %zu bytes (see --format and --columns)",
-                             name_.c_str(), got % row_size,
-                             static_cast<unsigned long long>(rows_ + got / row_size), row_size));
+                             name_.c_str(), got % row_size, static_cast<unsigned long long>(rows_ + got / row_size),
+                             row_size));
   if (!direct && single) unpack<float>(bytes_, got / row_size, channels);
   if (!direct && !single) unpack<double>(bytes_, got / row_size, channels);
   return got / row_size;
