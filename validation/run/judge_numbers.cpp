@@ -16,20 +16,42 @@ void require_columns(const NumberStream& stream, std::size_t columns, const char
     throw BadInput(formatted("the input has %zu columns where %s takes %zu", stream.columns(), test, columns));
 }
 
-// Fills all rows of the channels. Throws NoMoreDraws if the input ends, or the cap is reached.
-void fill(const Numbers& numbers, std::vector<std::vector<double>>& channels) {
+constexpr Interval finite{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+
+void require_in_range(std::uint64_t first, const std::vector<std::vector<double>>& rows, const Interval& range) {
+  for (std::size_t i = 0; i < rows[0].size(); ++i) {
+    for (const auto& column : rows) {
+      const double x = column[i];
+      if (!std::isfinite(x)) throw BadDraw(first + i, x, "not a finite number");
+      if (!(x >= range.lo && x <= range.hi)) throw BadDraw(first + i, x, "outside its declared range");
+    }
+  }
+}
+
+// Fills all rows of the channels. Throws NoMoreDraws if the input ends, or the cap is reached. The
+// last rows, too few for a block, count in no test; `check(first, rows)` finds bad draws in them.
+template <class Check>
+void fill(const Numbers& numbers, std::vector<std::vector<double>>& channels, const Check& check) {
   const std::uint64_t before = numbers.stream.rows();
   const std::size_t wanted = channels[0].size();
-  if (wanted > numbers.most - std::min(numbers.most, before)) {
-    // "test_means" uses whole blocks; what is left of the input is not read.
+  if (wanted > numbers.most - std::min(numbers.most, before))
     throw NoMoreDraws(
         formatted("the largest number of draws, %llu, came first", static_cast<unsigned long long>(numbers.most)));
-  }
-  if (numbers.stream.read(channels) < wanted)
-    throw NoMoreDraws(
-        formatted("the input ended after %llu draws, before the verdict (draw more, or ask for a "
-                  "larger margin)",
-                  static_cast<unsigned long long>(numbers.stream.rows())));
+  const std::size_t read = numbers.stream.read(channels);
+  if (read == wanted) return;
+  for (auto& channel : channels) channel.resize(read);
+  check(before, channels);
+  throw NoMoreDraws(
+      formatted("the input ended after %llu draws, before the verdict (draw more, or ask for a "
+                "larger margin)",
+                static_cast<unsigned long long>(numbers.stream.rows())));
+}
+
+// Checks rows against a range, for `fill`.
+auto within(const Interval& range) {
+  return [range](std::uint64_t first, const std::vector<std::vector<double>>& rows) {
+    require_in_range(first, rows, range);
+  };
 }
 
 // A source of draws for the tests. To report the size of a bias, test_each_mean asks again for the
@@ -84,21 +106,11 @@ Finding refuted(const Trial& trial, const BadDraw& bad) {
   return finding;
 }
 
-void require_in_range(std::uint64_t first, const std::vector<std::vector<double>>& pairs, const Interval& range) {
-  for (std::size_t i = 0; i < pairs[0].size(); ++i) {
-    for (const auto& column : pairs) {
-      const double x = column[i];
-      if (!std::isfinite(x)) throw BadDraw(first + i, x, "not a finite number");
-      if (!(x >= range.lo && x <= range.hi)) throw BadDraw(first + i, x, "outside its declared range");
-    }
-  }
-}
-
 // The absolute mean of the second column of rows that no test uses.
 double pilot_scale(const std::function<void(std::vector<std::vector<double>>&)>& next) {
   std::vector<std::vector<double>> pilot(2, std::vector<double>(pilot_rows));
   next(pilot);
-  require_in_range(0, pilot, {-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()});
+  require_in_range(0, pilot, finite);
   const double mean = std::abs(Moments::of(pilot[1]).mean());
   if (!(mean > 0)) throw std::invalid_argument("the second column has the mean 0 at first (give --scale)");
   return mean;
@@ -131,7 +143,9 @@ Finding judge_cells(const Trial& trial, const Numbers& numbers, const LawCells& 
     std::vector<std::uint64_t> counts(cells.probabilities.size());
     for (std::uint64_t left = draws; left > 0;) {
       for (auto& column : rows) column.resize(std::min(left, block));
-      fill(numbers, rows);
+      fill(numbers, rows, [&](std::uint64_t first, const auto& last) {
+        for (std::size_t i = 0; i < last[0].size(); ++i) cell(last, i, first + i);
+      });
       for (std::size_t i = 0; i < rows[0].size(); ++i) ++counts[cell(rows, i, row++)];
       left -= rows[0].size();
     }
@@ -144,7 +158,8 @@ Finding judge_cells(const Trial& trial, const Numbers& numbers, const LawCells& 
 }  // namespace
 
 Finding judge_mean(const Trial& trial, Numbers numbers, double mean, double scale, std::optional<Interval> range) {
-  Draws draws(numbers.stream.columns(), [&](auto& channels) { fill(numbers, channels); });
+  Draws draws(numbers.stream.columns(),
+              [&](auto& channels) { fill(numbers, channels, within(range.value_or(finite))); });
   if (range) {
     const std::vector<Reference> references(numbers.stream.columns(), {mean, range->lo, range->hi, 0, scale});
     return test_means(trial, references, std::ref(draws));
@@ -157,11 +172,12 @@ Finding judge_agreement(const Trial& trial, Numbers numbers, NumberStream* other
                         std::optional<Interval> range) try {
   require_columns(numbers.stream, other == nullptr ? 2 : 1, "an agreement");
   if (other != nullptr) require_columns(*other, 1, "an agreement of two inputs");
+  const auto check = within(range.value_or(finite));
   const auto next = [&](std::vector<std::vector<double>>& pairs) {
-    if (other == nullptr) return fill(numbers, pairs);
+    if (other == nullptr) return fill(numbers, pairs, check);
     for (std::size_t c = 0; c < 2; ++c) {
       std::vector<std::vector<double>> one{std::move(pairs[c])};
-      fill({c == 0 ? numbers.stream : *other, numbers.most}, one);
+      fill({c == 0 ? numbers.stream : *other, numbers.most}, one, check);
       pairs[c] = std::move(one[0]);
     }
   };
