@@ -57,6 +57,7 @@ void check(const JudgeOptions& options) {
   if (options.mean && *options.mean == 0 && !options.scale)
     throw std::invalid_argument(
         "the margin is relative to the mean, which is 0 (give --scale, such as a typical size)");
+  range_of(options);  // throws unless it ascends
   if (!options.json.empty()) AtomicFile::check_writable(options.json);
 }
 
