@@ -15,7 +15,8 @@ bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' ||
 // The word that begins at `begin`, shortened for a message.
 std::string quoted(const char* begin, const char* end) {
   constexpr std::ptrdiff_t longest = 40;
-  return "\"" + std::string(begin, std::min(end, begin + longest)) + (end - begin > longest ? "..." : "") + "\"";
+  const auto shown = static_cast<int>(std::min(end - begin, longest));
+  return formatted("\"%.*s%s\"", shown, begin, end - begin > longest ? "..." : "");
 }
 
 template <class Number>
