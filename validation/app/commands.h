@@ -9,6 +9,11 @@ void add_verify_command(CLI::App& program, Command& command);
 
 /// Adds `compare` to the program.
 void add_compare_command(CLI::App& program, Command& command);
+/// Adds `judge`, which tests numbers on standard input, to the program.
+void add_judge_command(CLI::App& program, Command& command);
+
+/// Adds `plan`, the number of draws of a test of a mean, to the program.
+void add_plan_command(CLI::App& program, Command& command);
 
 /// Adds `ledger` to the program.
 void add_ledger_command(CLI::App& program, Command& command);
