@@ -40,10 +40,6 @@ std::vector<double> grey_means(const ArmRuns& runs) {
   return means;
 }
 
-Measured in_percent(const Measured& ratio) {
-  return {100 * (ratio.value - 1), {100 * (ratio.interval.lo - 1), 100 * (ratio.interval.hi - 1)}};
-}
-
 std::vector<Arm> arms_in(const char* scene, const View& view, const RenderSettings& base, std::uint64_t samples) {
   std::vector<Arm> arms;
   for (const Ending& ending : endings) arms.push_back(arm_of(scene, view, ending, base, samples));

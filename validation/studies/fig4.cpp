@@ -6,6 +6,7 @@
 #include <fairlight/estimators/filter.h>
 #include <fairlight/estimators/pixel_draws.h>
 #include <fairlight/render/path_tracer.h>
+#include <fairlight/stats/moments.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/studies/all_studies.h>
 #include <fairlight/validation/studies/pictures.h>
@@ -31,6 +32,8 @@ struct GreyPixel {
   }
 };
 
+constexpr std::uint64_t samples_each = 256, pilot_each = 64;
+
 using Image = std::vector<double>;
 using Draws = std::function<std::vector<double>(std::size_t pixel, std::uint64_t first, std::uint64_t n)>;
 
@@ -39,9 +42,13 @@ struct Form {
   std::function<Image(const AllocationPlan&, const Draws&)> estimate;
 };
 
+// With `pilots` pilots, which share that of the plan.
 template <class Allocation>
-Form form(const char* name) {
-  return {name, [](const AllocationPlan& plan, const Draws& draws) { return Allocation(plan).estimate(draws); }};
+Form form(const char* name, std::uint64_t pilots) {
+  return {name, [pilots](AllocationPlan plan, const Draws& draws) {
+            plan.pilot /= pilots;
+            return Allocation(plan).estimate(draws);
+          }};
 }
 
 std::vector<Form> forms() {
@@ -50,11 +57,11 @@ std::vector<Form> forms() {
              plan.pilot = 0;
              return DiscardedPilot<UniformAllocation>(plan).estimate(draws);
            }},
-          form<CrossedHalves<AllocationByDeviation>>("history: deviation, unbiased"),
-          form<CrossedHalves<AllocationByVariance>>("history: variance, unbiased"),
-          form<CrossedHalves<AllocationByNeighbours>>("neighbours, unbiased"),
-          form<naive::PooledStages<AllocationByVariance>>("history: variance, naive"),
-          form<naive::PooledStages<AllocationByNeighbours>>("neighbours, naive")};
+          form<CrossedHalves<AllocationByDeviation>>("history: deviation, unbiased", 2),
+          form<CrossedHalves<AllocationByVariance>>("history: variance, unbiased", 2),
+          form<CrossedHalves<AllocationByNeighbours>>("neighbours, unbiased", 2),
+          form<naive::PooledStages<AllocationByVariance>>("history: variance, naive", 1),
+          form<naive::PooledStages<AllocationByNeighbours>>("neighbours, naive", 1)};
 }
 
 double mean_of(const Image& image) {
@@ -74,56 +81,99 @@ double half_square_difference(const Image& a, const Image& b, const std::vector<
   return sum / n;
 }
 
+// The most that any allocation gains: with known deviations s, mean(s^2) / mean(s)^2.
+// Source: Neyman 1934
+double known_gain(const std::vector<double>& deviations, const std::vector<bool>& counted) {
+  double sum = 0, squares = 0, n = 0;
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    if (!counted[i]) continue;
+    sum += deviations[i];
+    squares += deviations[i] * deviations[i];
+    ++n;
+  }
+  return squares * n / (sum * sum);
+}
+
 struct FormRuns {
   std::vector<double> variances, variances_off_light, means;  // of pairs of images
 };
 
+// The forms in one view, by one way to find light.
 template <class Direct>
-std::vector<FormRuns> run_forms(const View& view, const char* purpose, const StudyOptions& options, int size,
-                                std::uint32_t pairs, Steps& steps) {
-  const TracedScene<double> scene(view.scene);
-  const auto pixels = static_cast<std::size_t>(size);
-  const AllocationPlan plan{PixelGrid(pixels, pixels), 64 * pixels * pixels, 8};
-  const std::vector<Form> all = forms();
-  const std::vector<bool> everywhere(pixels * pixels, true), off_light = pixels_off_lights(view, size, size);
-  std::vector<FormRuns> runs(all.size());
-  for (std::size_t f = 0; f < all.size(); ++f) {
-    std::vector<Image> images(2 * pairs);
-    for_each_unit(images.size(), options.threads, [&](std::size_t i) {
-      const StreamKey key(
-          replicate_seed(options, formatted("fig4 %s %s", purpose, all[f].name), static_cast<std::uint32_t>(i)),
-          "image");
-      const GreyPixel<Direct> pixel{scene, view.camera, size};
-      images[i] = all[f].estimate(plan, PixelDraws<double, GreyPixel<Direct>>(key, 0, pixel));
-    });
-    for (std::size_t i = 0; i < images.size(); i += 2) {
-      runs[f].variances.push_back(half_square_difference(images[i], images[i + 1], everywhere));
-      runs[f].variances_off_light.push_back(half_square_difference(images[i], images[i + 1], off_light));
-      runs[f].means.push_back((mean_of(images[i]) + mean_of(images[i + 1])) / 2);
+class Comparison {
+ public:
+  Comparison(const View& view, const char* name, const StudyOptions& options)
+      : view_(view),
+        scene_(view.scene),
+        name_(name),
+        options_(options),
+        size_(options.quick ? 16 : 32),
+        pairs_(options.quick ? 6 : 24),
+        everywhere_(static_cast<std::size_t>(size_ * size_), true),
+        off_light_(pixels_off_lights(view, size_, size_)) {}
+
+  StudyTable table(const std::string& caption, Steps& steps) const {
+    StudyTable table{name_,
+                     caption,
+                     {{"allocation"},
+                      {"variance of uniform / variance"},
+                      {"the same, off the light"},
+                      {"bias of the mean in %"}},
+                     {}};
+    FormRuns uniform;
+    for (const Form& form : forms()) {
+      const FormRuns runs = run(form);
+      if (uniform.means.empty()) uniform = runs;
+      table.rows.push_back({form.name, measured_ratio(uniform.variances, runs.variances),
+                            measured_ratio(uniform.variances_off_light, runs.variances_off_light),
+                            in_percent(measured_ratio(runs.means, uniform.means))});
+      steps.done();
     }
-    steps.done();
+    const std::vector<double> known = deviations();
+    table.rows.push_back(
+        {"if deviations were known", known_gain(known, everywhere_), known_gain(known, off_light_), 0.0});
+    return table;
   }
-  return runs;
-}
 
-Measured in_percent(const Measured& ratio) {
-  return {100 * (ratio.value - 1), {100 * (ratio.interval.lo - 1), 100 * (ratio.interval.hi - 1)}};
-}
-
-StudyTable table_of(const char* name, const std::string& caption, const std::vector<FormRuns>& runs) {
-  StudyTable table{
-      name,
-      caption,
-      {{"allocation"}, {"variance of uniform / variance"}, {"the same, off the light"}, {"bias of the mean in %"}},
-      {}};
-  const std::vector<Form> all = forms();
-  for (std::size_t f = 0; f < all.size(); ++f) {
-    table.rows.push_back({all[f].name, measured_ratio(runs[0].variances, runs[f].variances),
-                          measured_ratio(runs[0].variances_off_light, runs[f].variances_off_light),
-                          in_percent(measured_ratio(runs[f].means, runs[0].means))});
+ private:
+  auto draws(const std::string& purpose, std::uint32_t replicate) const {
+    const StreamKey key(
+        replicate_seed(options_, formatted("fig4 %s %s", name_.c_str(), purpose.c_str()), replicate), "image");
+    return PixelDraws<double, GreyPixel<Direct>>(key, 0, GreyPixel<Direct>{scene_, view_.camera, size_});
   }
-  return table;
-}
+
+  FormRuns run(const Form& form) const {
+    const auto side = static_cast<std::size_t>(size_);
+    const AllocationPlan plan{PixelGrid(side, side), samples_each * side * side, pilot_each};
+    std::vector<Image> images(2 * pairs_);
+    for_each_unit(images.size(), options_.threads, [&](std::size_t i) {
+      images[i] = form.estimate(plan, draws(form.name, static_cast<std::uint32_t>(i)));
+    });
+    FormRuns runs;
+    for (std::size_t i = 0; i < images.size(); i += 2) {
+      runs.variances.push_back(half_square_difference(images[i], images[i + 1], everywhere_));
+      runs.variances_off_light.push_back(half_square_difference(images[i], images[i + 1], off_light_));
+      runs.means.push_back((mean_of(images[i]) + mean_of(images[i + 1])) / 2);
+    }
+    return runs;
+  }
+
+  std::vector<double> deviations() const {
+    std::vector<double> deviations(everywhere_.size());
+    for_each_unit(deviations.size(), options_.threads, [&](std::size_t pixel) {
+      deviations[pixel] = std::sqrt(Moments::of(draws("deviations", 0)(pixel, 0, 4096)).variance());
+    });
+    return deviations;
+  }
+
+  View view_;
+  TracedScene<double> scene_;
+  std::string name_;
+  const StudyOptions& options_;
+  int size_;
+  std::size_t pairs_;
+  std::vector<bool> everywhere_, off_light_;
+};
 
 // The logarithm of the variance of a sample of each pixel, averaged over the channels.
 std::vector<double> log_variances(const Film& film) {
@@ -145,10 +195,10 @@ std::vector<StudyPicture> maps(const StudyOptions& options, Steps& steps) {
     settings.direct = direct;
     const bool implicit = direct == DirectLighting::none;
     const View view = box_with_light(implicit ? 8.5 : 1.5);
-    const std::string how = implicit ? "implicit paths, a light of 8.5 m" : "shadow rays by area, a light of 1.5 m";
+    const std::string how = implicit ? "implicit, light of 8.5 m" : "explicit by area, light of 1.5 m";
     const Film film = render_arm({"fig4 map", view, settings, options.quick ? 64u : 1024u}, options, 0).film;
     pictures.push_back(write_map(options, implicit ? "fig4-implicit" : "fig4-explicit",
-                                 formatted("log10 of the variance of a sample [(W/(sr m^2))^2]: %s", how.c_str()),
+                                 formatted("log10 of the variance of a sample: %s", how.c_str()),
                                  log_variances(film), settings.width, implicit ? "[-1:2]" : "[-3:1]",
                                  "defined (0 'white', 1 'black')"));
     steps.done();
@@ -159,24 +209,24 @@ std::vector<StudyPicture> maps(const StudyOptions& options, Steps& steps) {
 }  // namespace
 
 StudyResult fig4(const StudyOptions& options) {
-  const int size = options.quick ? 16 : 32;
-  const std::uint32_t pairs = options.quick ? 6 : 30;
   Steps steps(options, 2 * forms().size() + 2);
   StudyResult result;
-  result.text =
-      "Where the variance lies, and what it gains to send samples there, at an equal number of samples: 64 a "
+  result.text = formatted(
+      "Where the variance lies, and what it gains to send samples there, at an equal number of samples: %llu a "
       "pixel, a "
-      "quarter of them in the pilot. The unbiased forms let a sample never count in a mean whose size it decided "
+      "quarter of them in pilots. The unbiased forms let a sample never count in a mean whose size it decided "
       "(`CrossedHalves`). The naive form, the paper's, pools all samples: pixels that missed their rare bright "
       "paths look "
       "quiet, get no more samples and stay dark. Variance is half the mean square difference of two whole "
-      "pictures.";
-  result.tables.push_back(
-      table_of("explicit", "Shadow rays by area, a light of 1.5 m.",
-               run_forms<DirectLight<AllLights>>(box_with_light(1.5), "explicit", options, size, pairs, steps)));
-  result.tables.push_back(
-      table_of("implicit", "Implicit paths, a light of 8.5 m: rare bright samples.",
-               run_forms<NoDirectLight>(box_with_light(8.5), "implicit", options, size, pairs, steps)));
+      "pictures. The "
+      "last row is the most that any allocation could gain. Below 1, the noise of the scores costs more than they "
+      "gain.",
+      static_cast<unsigned long long>(samples_each));
+  const Comparison<DirectLight<AllLights, PointsBy<SphereByCone>>> by_cone(box_with_light(1.5), "explicit",
+                                                                           options);
+  result.tables.push_back(by_cone.table("Shadow rays by cone, a light of 1.5 m.", steps));
+  const Comparison<NoDirectLight> implicit(box_with_light(8.5), "implicit", options);
+  result.tables.push_back(implicit.table("Implicit paths, a light of 8.5 m: rare bright samples.", steps));
   result.pictures = maps(options, steps);
   return result;
 }

@@ -17,7 +17,7 @@ struct Factor {
 };
 constexpr Factor factors[]{{0.25, "1/4"}, {0.5, "1/2"}, {1, "1"}, {2, "2"}, {4, "4"}};
 
-constexpr double lens_radius = 2, focus = 232;  // the ball on the right
+constexpr double lens_radius = 6, focus = 232;  // the ball on the right
 
 // The camera of the box, with its field of view or its lens scaled.
 View box_through(double field_factor, double lens) {
@@ -98,7 +98,7 @@ StudyPicture pictures(const StudyOptions& options, Steps& steps) {
   std::vector<Captioned> shown;
   for (const bool of_field : {true, false}) {
     for (const auto& [factor, name] : factors) {
-      const View view = of_field ? box_through(factor, 0) : box_through(1, 4 * lens_radius * factor);
+      const View view = of_field ? box_through(factor, 0) : box_through(1, lens_radius * factor);
       const Arm arm{"fig5 picture", view, settings_of(options.quick ? 128 : 192), options.quick ? 16u : 256u};
       shown.push_back({render_arm(arm, options, 0).film, formatted("%s x %s", of_field ? "field" : "lens", name)});
       steps.done();
@@ -108,7 +108,7 @@ StudyPicture pictures(const StudyOptions& options, Steps& steps) {
       options, "fig5",
       formatted("Above, image planes 1/4 to 4 times as high, as in the paper's figure. Below, a lens of %g m "
                 "times 1/4 to 4, focused on the ball on the right: the field of view stays.",
-                4 * lens_radius),
+                lens_radius),
       shown, 5);
 }
 

@@ -25,7 +25,7 @@ StudyTable confusion(const StudyOptions& options, const std::string& name, doubl
   StudyTable table{
       "confusion",
       formatted("Radius of the circle of confusion of each ball's middle, in pixels of a picture 256 high, "
-                "for a lens of %g m.",
+                "for a lens of %g m. In focus it is 0, and what is measured is rounding.",
                 aperture),
       {{"ball"}, {"distance in m"}},
       {}};

@@ -32,10 +32,6 @@ Film film_of(const View& view, const Variant& variant, int size, std::uint64_t s
                        [&](const Rgb<double>& radiance) { return montelight_kept(variant.faults, radiance); });
 }
 
-Measured in_percent(const Measured& ratio) {
-  return {100 * (ratio.value - 1), {100 * (ratio.interval.lo - 1), 100 * (ratio.interval.hi - 1)}};
-}
-
 StudyTable biases(double radius, const StudyOptions& options, Steps& steps, std::uint32_t replicates) {
   const View view = box_with_light(radius);
   const int size = options.quick ? 32 : 64;

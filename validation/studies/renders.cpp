@@ -99,6 +99,10 @@ std::vector<ArmRuns> run_arms(const std::vector<Arm>& arms, const StudyOptions& 
   return runs;
 }
 
+Measured in_percent(const Measured& ratio) {
+  return {100 * (ratio.value - 1), {100 * (ratio.interval.lo - 1), 100 * (ratio.interval.hi - 1)}};
+}
+
 Measured efficiency_ratio(const ArmRuns& a, const ArmRuns& b) { return measured_ratio(b.costs(), a.costs()); }
 
 Measured variance_ratio(const ArmRuns& a, const ArmRuns& b) {

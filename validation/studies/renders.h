@@ -52,6 +52,9 @@ struct ArmRuns {
 std::vector<ArmRuns> run_arms(const std::vector<Arm>& arms, const StudyOptions& options, std::uint32_t replicates,
                               Steps& steps);
 
+/// A ratio as the difference from 1 in %.
+Measured in_percent(const Measured& ratio);
+
 /// Efficiency is 1 / (square error x CPU time). These are ratios, of `a` over `b`.
 Measured efficiency_ratio(const ArmRuns& a, const ArmRuns& b);
 Measured variance_ratio(const ArmRuns& a, const ArmRuns& b);  ///< at an equal number of samples

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 
 #include <fairlight/render/atomic_file.h>
@@ -36,6 +37,13 @@ std::string processor() {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }
   return "unknown";
+}
+
+// The mean number of processes that wanted to run in the last minute. Times measured at a load above
+// the number of cores are those of a busy machine.
+json load() {
+  double last_minute = 0;
+  return getloadavg(&last_minute, 1) == 1 ? json(last_minute) : json();
 }
 
 // Four digits; whole numbers and those from 1e4 to 1e9 without an exponent.
@@ -119,6 +127,8 @@ json study_json(const Study& study, const StudyOptions& options, const StudyResu
       {"quick", options.quick},
       {"confidence", 0.95},
       {"processor", processor()},
+      {"cores", hardware_threads()},
+      {"load", load()},
       {"threads", options.threads},
       {"text", result.text},
       {"tables", tables},
@@ -155,7 +165,9 @@ std::string study_markdown(const json& study) {
   const auto name = text("study");
   out += "\nBrackets are 95 % confidence intervals. ";
   if (has_clock(study))
-    out += formatted("Columns with a * depend on the clock: CPU time of %s.\n", text("processor").c_str());
+    out += formatted("Columns with a * depend on the clock: CPU time of %s, %s cores, at a load of %s.\n",
+                     text("processor").c_str(), study.at("cores").dump().c_str(),
+                     number_text(study.at("load")).c_str());
   else
     out += "No value depends on the clock.\n";
   out += "Source: " + text("source") + ". The numbers are also in `" + name + ".json` and in CSV files.\n\n```\n";

@@ -9,7 +9,7 @@
 namespace fairlight {
 
 /// The whole result of a study as JSON; text, CSV and Markdown are made from it alone, so that they
-/// cannot differ. {study, title, source, version, seed, quick, confidence, processor, threads, text,
+/// cannot differ. {study, title, source, version, seed, quick, confidence, processor, cores, load, threads, text,
 /// tables: [{name, caption, columns: [{name, clock}], rows: [[cell, ...], ...]}], pictures: [{file,
 /// caption}]}. A measured cell is {value, interval: [lo, hi]}; an end or a value that is not finite
 /// is null. The values of a column with `clock` depend on the time that something took; all others
