@@ -35,7 +35,7 @@ TEST(MeasuredMean, RefusesOneReplicate) {
 }
 
 TEST(MeasuredRatio, IsExactForProportionalPairs) {
-  const auto [value, interval] = measured_ratio(Values{2, 4, 6}, Values{1, 2, 3});
+  const auto [value, interval] = measured_ratio(Values{20, 22, 24}, Values{10, 11, 12});
   EXPECT_EQ(value, 2);
   EXPECT_EQ(interval.lo, 2);
   EXPECT_EQ(interval.hi, 2);

@@ -17,7 +17,7 @@ struct Strategy {
 };
 
 constexpr Strategy strategies[]{
-    {"implicit, 64 times as many", DirectLighting::none, LightPoints::area, RandomNumbers::independent},
+    {"implicit, 16 times as many", DirectLighting::none, LightPoints::area, RandomNumbers::independent},
     {"area", DirectLighting::light, LightPoints::area, RandomNumbers::independent},
     {"visible hemisphere", DirectLighting::light, LightPoints::visible, RandomNumbers::independent},
     {"cone", DirectLighting::light, LightPoints::cone, RandomNumbers::independent},
@@ -27,7 +27,7 @@ constexpr Strategy strategies[]{
 };
 
 // Implicit paths meet the light so seldom that few samples show no error at all.
-constexpr std::uint64_t implicit_factor = 64;
+constexpr std::uint64_t implicit_factor = 16;
 
 Arm arm_of(const Strategy& strategy, std::uint64_t samples, int depth, const StudyOptions& options) {
   RenderSettings settings;
@@ -122,7 +122,7 @@ void add_rows(StudyTable& table, const char* light, const std::vector<std::vecto
 }  // namespace
 
 StudyResult cost(const StudyOptions& options) {
-  const std::uint32_t pairs = options.quick ? 3 : 8;
+  const std::uint32_t pairs = options.quick ? 3 : 6;
   const std::vector<std::uint64_t> samples = options.quick ? std::vector<std::uint64_t>{1, 4, 16, 64}
                                                            : std::vector<std::uint64_t>{1, 4, 16, 64, 256, 1024};
   Steps steps(options, 2 * std::size(strategies) * samples.size() * pairs);
@@ -136,7 +136,7 @@ StudyResult cost(const StudyOptions& options) {
       "stratifies "
       "together. Error: root mean square error of a pixel off the light, from pairs of pictures.";
   StudyTable table{"slopes",
-                   formatted("%llu samples a pixel at the last level, of implicit paths 64 times as many.",
+                   formatted("%llu samples a pixel at the last level, of implicit paths 16 times as many.",
                              static_cast<unsigned long long>(samples.back())),
                    {{"light"},
                     {"strategy"},

@@ -33,7 +33,7 @@ Arm arm_of(const Strategy& strategy, double radius, const StudyOptions& options)
   std::uint64_t samples = options.quick ? 16 : 32;
   // An implicit path meets a light about as often as the light is large.
   if (strategy.direct == DirectLighting::none)
-    samples *= radius > 5 ? 4 : radius > 1 ? 16 : options.quick ? 64 : 512;
+    samples *= radius > 5 ? 4 : radius > 1 ? 16 : options.quick ? 64 : 128;
   if (strategy.best) {
     settings.roulette = RouletteKind::throughput;
     settings.random = RandomNumbers::sobol;

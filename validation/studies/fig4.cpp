@@ -108,7 +108,7 @@ class Comparison {
         name_(name),
         options_(options),
         size_(options.quick ? 16 : 32),
-        pairs_(options.quick ? 6 : 24),
+        pairs_(options.quick ? 6 : 16),
         everywhere_(static_cast<std::size_t>(size_ * size_), true),
         off_light_(pixels_off_lights(view, size_, size_)) {}
 

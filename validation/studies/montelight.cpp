@@ -85,7 +85,7 @@ std::vector<StudyPicture> pictures(const StudyOptions& options, Steps& steps) {
   const int size = options.quick ? 160 : 224;
   std::vector<Captioned> shown;
   for (const Variant& variant : variants) {
-    shown.push_back({film_of(view, variant, size, options.quick ? 16 : 256, options, 1000), variant.caption});
+    shown.push_back({film_of(view, variant, size, options.quick ? 16 : 64, options, 1000), variant.caption});
     steps.done();
   }
   return {write_montage(options, "montelight",
