@@ -12,8 +12,7 @@
 namespace fairlight::studies_of_paper {
 namespace {
 
-const Rgb<double> white(1, 1, 1);
-const Vec3<double> from_above(0, 0, 1);
+Rgb<double> white() { return {1, 1, 1}; }
 
 // The variances of blocks of draws of the radiance that a surface reflects upwards, under a sky that
 // is bright where x > 0.
@@ -23,7 +22,7 @@ std::vector<double> block_variances(const Surface& surface, const StreamKey& key
   for (std::uint32_t block = 0; block < blocks; ++block) {
     for (std::size_t i = 0; i < draws.size(); ++i) {
       PhiloxStream<double> source(key, block, i);
-      const Bounce<double> bounce = surface.sample(from_above, next_pair<double>(source));
+      const Bounce<double> bounce = surface.sample(Vec3<double>(0, 0, 1), next_pair<double>(source));
       draws[i] = bounce.in.x() > 0 ? bounce.weight[0] : 0;
     }
     variances.push_back(Moments::of(draws).variance());
@@ -70,12 +69,12 @@ StudyTable variances(const StudyOptions& options) {
   Steps steps(options, 4);
   table.rows.push_back(
       row({"diffuse", closed_forms::diffuse_uniform_variance(), closed_forms::diffuse_cosine_variance()},
-          Lambertian<double, UniformHemisphere>(white), Lambertian<double>(white), options, blocks));
+          Lambertian<double, UniformHemisphere>(white()), Lambertian<double>(white()), options, blocks));
   steps.done();
   for (const double n : {5.0, 50.0, 500.0}) {
     table.rows.push_back(row({formatted("glossy, exponent %g", n), closed_forms::glossy_uniform_variance(n),
                               closed_forms::glossy_lobe_variance(n)},
-                             Glossy<double, UniformHemisphere>(white, n), Glossy<double>(white, n), options,
+                             Glossy<double, UniformHemisphere>(white(), n), Glossy<double>(white(), n), options,
                              blocks));
     steps.done();
   }
@@ -116,12 +115,12 @@ std::string panel(const std::string& title, const Surface& surface, const char* 
 StudyPicture directions(const StudyOptions& options) {
   std::string script =
       "unset key; unset tics; unset border; set size ratio -1; set xrange [-1:1]; set yrange [-0.05:1.05]\n";
-  script += panel("diffuse, uniform", Lambertian<double, UniformHemisphere>(white), "blue", options);
-  script += panel("diffuse, by BRDF", Lambertian<double>(white), "orange", options);
+  script += panel("diffuse, uniform", Lambertian<double, UniformHemisphere>(white()), "blue", options);
+  script += panel("diffuse, by BRDF", Lambertian<double>(white()), "orange", options);
   for (const double n : {20.0, 200.0}) {
-    script += panel(formatted("glossy, exponent %g, uniform", n), Glossy<double, UniformHemisphere>(white, n),
+    script += panel(formatted("glossy, exponent %g, uniform", n), Glossy<double, UniformHemisphere>(white(), n),
                     "blue", options);
-    script += panel(formatted("glossy, exponent %g, by BRDF", n), Glossy<double>(white, n), "orange", options);
+    script += panel(formatted("glossy, exponent %g, by BRDF", n), Glossy<double>(white(), n), "orange", options);
   }
   return write_study_chart(
       options, "fig1",
