@@ -30,6 +30,9 @@ void add_domains_command(CLI::App& audit, Command& command);
 /// Adds `audit` to the program.
 void add_audit_command(CLI::App& program, Command& command);
 
+/// Adds `study` to the program.
+void add_study_command(CLI::App& program, Command& command);
+
 /// Sets the name of the program, and adds all its commands with their help.
 void add_commands(CLI::App& program, Command& command);
 
