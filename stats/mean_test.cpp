@@ -48,7 +48,8 @@ void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
 // draws, or `watch` ends the test. Returns a note if there is no verdict.
 std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawBlock& draw_block) try {
   std::vector<std::vector<double>> channels(tests.size());
-  if (trial.evidence != nullptr) {
+  const bool courses = trial.evidence != nullptr && trial.evidence->courses;
+  if (courses) {
     for (const BettingTest& test : tests) trial.evidence->means.emplace_back(test);
   }
   std::uint64_t looks = 0;  // next number of draws at which to plan: every 1/64 of the draws
@@ -65,7 +66,7 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
     for (auto& channel : channels) channel.resize(block);
     draw_block(drawn, channels);
     for (std::size_t c = 0; c < tests.size(); ++c) tests[c].add(channels[c]);
-    if (trial.evidence != nullptr) leave_evidence(*trial.evidence, tests);
+    if (courses) leave_evidence(*trial.evidence, tests);
     drawn += block;
   }
 } catch (const NoMoreDraws& spent) {

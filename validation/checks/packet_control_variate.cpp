@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <fairlight/stats/common_bias.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/means.h>
 
@@ -35,10 +37,7 @@ std::vector<Reference> of_difference(const std::vector<Reference>& references, d
   return differences;
 }
 
-double log_of_mean(double log_a, double log_b) {
-  const double top = std::max(log_a, log_b);
-  return std::isinf(top) ? top : top + std::log((std::exp(log_a - top) + std::exp(log_b - top)) / 2);
-}
+double log_of_mean(double log_a, double log_b) { return log_mean_exp(std::array{log_a, log_b}); }
 
 MarginGrid joint(MarginGrid a, const MarginGrid& b) {
   for (std::size_t c = 0; c < a.channels.size(); ++c) {
@@ -158,6 +157,7 @@ Trial PacketControlVariate::part(int i, Evidence& evidence) const {
   Trial part = trial_;
   part.alpha /= 2;
   part.evidence = trial_.evidence == nullptr ? nullptr : &evidence;
+  evidence.courses = trial_.evidence != nullptr && trial_.evidence->courses;
   if (trial_.watch) part.watch = [this, i](double done) { return goes_on(trial_, (i + done) / 2); };
   return part;
 }

@@ -70,7 +70,8 @@ class Run {
     Outcome outcome{claims_[i], {}, 0};
     Trial trial = manifest_.trial(claims_[i]->name);
     trial.watch = [&](double done) { return goes_on(i, turn, clock.seconds(), done, most); };
-    if (options_.evidence) trial.evidence = &outcome.evidence;
+    outcome.evidence.courses = options_.evidence;
+    if (options_.evidence || claims_[i]->adds_up) trial.evidence = &outcome.evidence;
     outcome.finding = check(*claims_[i], trial);
     outcome.seconds = clock.seconds();
     ended_[i] = turn.ended && outcome.finding.verdict == Verdict::undecided;
@@ -156,6 +157,7 @@ Manifest manifest_of(const RunOptions& run_options) {
     rows.push_back({c.name, c.weight, c.margin_factor, c.finest_margin});
   Manifest::Terms terms = run_options.terms;
   terms.budget /= static_cast<double>(sets.size());
+  terms.joint_part = part_for_components;
   return Manifest(rows, terms);
 }
 
