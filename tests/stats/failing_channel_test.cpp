@@ -13,7 +13,7 @@ Finding of(Verdict verdict, double bias, Interval interval) {
 }
 
 TEST(WorstOf, IsAChannelOfTheWorstVerdict) {
-  const Finding failed = of(Verdict::biased, 0.01, {0.005, 0.015}), noisy = of(Verdict::undecided, 0.2, {-1, 1});
+  const Finding failed = of(Verdict::biased, 0.01, {0.005, 0.015}), noisy = of(Verdict::undecided, 0.2, {0.1, 0.3});
   for (const auto& channels : {std::vector{failed, noisy}, std::vector{noisy, failed}}) {
     EXPECT_EQ(worst_of(channels).bias, 0.01);
     EXPECT_EQ(worst_of(channels).interval.lo, 0.005);
