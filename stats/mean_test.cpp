@@ -48,7 +48,8 @@ void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
 // draws, or `watch` ends the test. Returns a note if there is no verdict.
 std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawBlock& draw_block) try {
   std::vector<std::vector<double>> channels(tests.size());
-  if (trial.evidence != nullptr) {
+  const bool courses = trial.evidence != nullptr && trial.evidence->courses;
+  if (courses) {
     for (const BettingTest& test : tests) trial.evidence->means.emplace_back(test);
   }
   std::uint64_t looks = 0;  // next number of draws at which to plan: every 1/64 of the draws
@@ -65,7 +66,7 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
     for (auto& channel : channels) channel.resize(block);
     draw_block(drawn, channels);
     for (std::size_t c = 0; c < tests.size(); ++c) tests[c].add(channels[c]);
-    if (trial.evidence != nullptr) leave_evidence(*trial.evidence, tests);
+    if (courses) leave_evidence(*trial.evidence, tests);
     drawn += block;
   }
 } catch (const NoMoreDraws& spent) {
@@ -165,6 +166,22 @@ double size_of_bias(const Finding& finding) {
   return open_below ? finding.bias : -finding.bias;
 }
 
+// Whether `a` says more against the claim than `b`: a worse verdict, then an interval beyond 0, then a
+// larger bias.
+bool is_worse(const Finding& a, const Finding& b) {
+  const auto beyond_zero = [](const Finding& f) { return f.interval.lo > 0 || f.interval.hi < 0; };
+  if (a.verdict != b.verdict) return worse(a.verdict, b.verdict) == a.verdict;
+  if (beyond_zero(a) != beyond_zero(b)) return beyond_zero(a);
+  return size_of_bias(a) > size_of_bias(b);
+}
+
+// Names the channel of a finding that is not certified, since it alone is shown.
+std::string note_of(const std::string& note, const Finding& finding, std::size_t channel, std::size_t channels) {
+  if (channels == 1 || finding.verdict == Verdict::certified || note == told_to_end) return note;
+  return note + (note.empty() ? "" : "; ") + "channel " + std::to_string(channel) + ", of 0 to " +
+         std::to_string(channels - 1);
+}
+
 }  // namespace
 
 double finest_margin(const std::vector<Reference>& references) {
@@ -176,10 +193,8 @@ double finest_margin(const std::vector<Reference>& references) {
 Finding worst_of(const std::vector<Finding>& channels) {
   Finding worst = channels.at(0);
   for (const Finding& finding : channels) {
-    const Verdict verdict = worse(worst.verdict, finding.verdict);
     const std::uint64_t draws = std::max(worst.draws, finding.draws);
-    if (size_of_bias(finding) > size_of_bias(worst)) worst = finding;
-    worst.verdict = verdict;
+    if (is_worse(finding, worst)) worst = finding;
     worst.draws = draws;
   }
   return worst;
@@ -204,7 +219,7 @@ std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Refere
     std::vector<Finding> findings;
     for (std::size_t c = 0; c < tests.size(); ++c) {
       findings.push_back(with_token(trial, finding_of(tests[c], references[c], trial.margin)));
-      findings.back().note = note;
+      findings.back().note = note_of(note, findings.back(), c, tests.size());
     }
     if (trial.evidence != nullptr) leave_grid(trial, grid_of(trial, tests, references));
     tell_listener(trial, references, draw_block, worst_of(findings).draws);

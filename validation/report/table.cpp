@@ -145,4 +145,21 @@ void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const 
   print_notes(out, groups, run_options);
 }
 
+void print_components(std::FILE* out, const std::vector<ComponentOutcome>& components,
+                      const RunOptions& run_options) {
+  if (components.empty()) return;
+  std::vector<ComponentOutcome> sorted = components;
+  std::ranges::stable_sort(sorted, {}, [](const ComponentOutcome& c) { return rank(c.verdict); });
+  const auto title = [&](const ComponentOutcome& c) {
+    return run_options.instructions.size() == 1 ? c.name : c.name + " [" + c.instructions + "]";
+  };
+  std::size_t width = 34;
+  for (const ComponentOutcome& c : sorted) width = std::max(width, title(c).size());
+  std::fprintf(out, "%-*s %6s  %-10s %s\n", static_cast<int>(width), "component", "claims", "verdict",
+               "relative bias common to its claims");
+  for (const ComponentOutcome& c : sorted)
+    std::fprintf(out, "%-*s %6zu  %-10s %s\n", static_cast<int>(width), title(c).c_str(), c.claims, name(c.verdict),
+                 common_bias_text(c).c_str());
+}
+
 }  // namespace fairlight
