@@ -26,7 +26,9 @@ enum class Sides {
 struct MeanHypothesis {
   double mean;    ///< the reference, E[X]
   double margin;  ///< the bias to exclude, in X's unit; positive
-  double lower;   ///< X >= lower, always
+  /// X >= lower, always. One end may be infinite; then nothing is shown that needs it: without an
+  /// upper end the test cannot say that the mean is too low, nor certify it from above.
+  double lower;
   /// X <= upper always if tail_slack is 0; otherwise E[(X - upper)+] <= tail_slack.
   double upper;
   double tail_slack = 0;  ///< in X's unit
@@ -72,8 +74,8 @@ class BettingTest {
   /// alpha in (0,1): the probability that a right estimator fails. 98 % of it is for `biased`, 2 %
   /// for giving up. beta in (0,1): the miss rate of `certified`.
   /// Throws std::invalid_argument unless lower < mean - margin, mean + margin < upper and margin >
-  /// 0, unless the range is shorter than 1e100, and for a rounding above margin / 4 or a tail slack
-  /// above margin / 20.
+  /// 0, unless the range has a finite end within 1e100 of the mean, and for a rounding above margin /
+  /// 4 or a tail slack above margin / 20.
   BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta);
 
   /// The number of draws that the next block should hold. It depends on earlier draws only.
@@ -137,6 +139,15 @@ class BettingTest {
     double up, down;
   };
 
+  // The largest part of its possible loss that a process bets, so that no block can ruin it.
+  static constexpr double largest_stake = 0.9;
+  // Larger bets find large biases sooner. A mixture of wealth processes is a wealth process.
+  static constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
+  static constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
+
+  static double log_mixture(const std::array<LogProduct, 3>& products);
+  static double return_of(double bet, double room, double gain);
+  double reach() const;
   Block summarise(std::span<const double> draws);
   void check_range(std::span<const double> draws) const;
   Outlook outlook(std::uint64_t block) const;

@@ -5,6 +5,7 @@
 
 #include <fairlight/stats/evidence.h>
 #include <fairlight/stats/mean_test.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -144,11 +145,21 @@ Interval with_open_side(Interval bias, Sides sides) {
   return bias;
 }
 
+Guarantee guarantee_of(const Reference& reference) {
+  return reference.tail_slack > 0 ? Guarantee::exact_given_tail : Guarantee::exact;
+}
+
+std::string note_on_tail(const Reference& reference) {
+  if (reference.tail_slack == 0) return {};
+  return formatted("exact, given its tail: that at most %.1e of the mean lies above %g is taken on trust",
+                   reference.tail_slack / reference.scale, reference.upper);
+}
+
 Finding finding_of(const BettingTest& test, const Reference& reference, double margin) {
   const Interval interval = test.interval();
   const auto relative = [&](double x) { return (x - reference.mean) / reference.scale; };
   return {test.verdict(),
-          Guarantee::exact,
+          guarantee_of(reference),
           margin,
           relative(test.moments().mean()),
           with_open_side({relative(interval.lo), relative(interval.hi)}, reference.sides),
@@ -204,7 +215,7 @@ std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Refere
     std::vector<Finding> findings;
     for (std::size_t c = 0; c < tests.size(); ++c) {
       findings.push_back(with_token(trial, finding_of(tests[c], references[c], trial.margin)));
-      findings.back().note = note;
+      findings.back().note = note.empty() ? note_on_tail(references[c]) : note;
     }
     if (trial.evidence != nullptr) leave_grid(trial, grid_of(trial, tests, references));
     tell_listener(trial, references, draw_block, worst_of(findings).draws);
