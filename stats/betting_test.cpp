@@ -49,6 +49,9 @@ BadDraw::BadDraw(std::uint64_t draw, double value, const char* problem)
     : std::runtime_error("draw " + std::to_string(draw) + " is " + digits(value) + " (" + problem + ")"),
       draw_(draw) {}
 
+BadDraw::BadDraw(const BadDraw& bad, std::size_t channel)
+    : std::runtime_error(formatted("%s, in channel %zu", bad.what(), channel)), draw_(bad.draw_) {}
+
 BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta)
     : hypothesis_(hypothesis), beta_(beta) {
   const auto& h = hypothesis_;

@@ -41,6 +41,7 @@ struct MeanHypothesis {
 class BadDraw : public std::runtime_error {
  public:
   BadDraw(std::uint64_t draw, double value, const char* problem);
+  BadDraw(const BadDraw& bad, std::size_t channel);  ///< the same, which names its channel
   std::uint64_t draw() const { return draw_; }
 
  private:

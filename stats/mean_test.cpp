@@ -25,6 +25,16 @@ std::uint64_t next_block(const std::vector<BettingTest>& tests) {
   return block;
 }
 
+void add(std::vector<BettingTest>& tests, const std::vector<std::vector<double>>& channels) {
+  std::size_t c = 0;
+  try {
+    for (; c < tests.size(); ++c) tests[c].add(channels[c]);
+  } catch (const BadDraw& bad) {
+    if (tests.size() == 1) throw;
+    throw BadDraw(bad, c);
+  }
+}
+
 // The number of draws at which the open tests give up, and that at which they should have verdicts.
 struct Plan {
   double patience = 0;
@@ -43,6 +53,13 @@ struct Plan {
 void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
   const std::size_t first = evidence.means.size() - tests.size();
   for (std::size_t c = 0; c < tests.size(); ++c) evidence.means[first + c].add(tests[c]);
+}
+
+// What a verdict takes, for tests that end without one.
+std::string needed(const std::vector<BettingTest>& tests) {
+  const double expected = Plan(tests).expected;
+  if (!(expected > static_cast<double>(tests[0].moments().count()))) return {};
+  return formatted("; a verdict needs about %.1e draws (raise the cap, or give a larger margin)", expected);
 }
 
 // Runs the tests until all have verdicts, one is biased, the cap is reached, there are no more
@@ -65,12 +82,12 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
     }
     for (auto& channel : channels) channel.resize(block);
     draw_block(drawn, channels);
-    for (std::size_t c = 0; c < tests.size(); ++c) tests[c].add(channels[c]);
+    add(tests, channels);
     if (trial.evidence != nullptr) leave_evidence(*trial.evidence, tests);
     drawn += block;
   }
 } catch (const NoMoreDraws& spent) {
-  return spent.what();
+  return spent.what() + needed(tests);
 }
 
 void tell_listener(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block,
@@ -104,8 +121,10 @@ double rough_bias(const std::vector<Reference>& references, const DrawBlock& dra
     draw_block(0, channels);
   } catch (const BadDraw& bad) {
     if (bad.draw() == 0) return std::numeric_limits<double>::quiet_NaN();
-    // The draws before the bad one.
-    for (std::vector<double>& channel : channels) channel.resize(bad.draw());
+    // The draws before the bad one; where draws are not numbered from 0 again, these.
+    for (std::vector<double>& channel : channels) channel.resize(std::min<std::size_t>(bad.draw(), channel.size()));
+  } catch (const NoMoreDraws&) {
+    return std::numeric_limits<double>::quiet_NaN();
   }
   double worst = 0;
   for (std::size_t c = 0; c < references.size(); ++c) {
