@@ -49,10 +49,10 @@ double Arms::variance_of_variance() const {
   return largest;
 }
 
-double Arms::slope() const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const LargestScores& s : scores_) least = std::min(least, s.slope());
-  return least;
+bool Arms::heavy() const {
+  constexpr double least_slope = 3;  // of a density; see LargestScores::slope
+  return std::ranges::any_of(
+      scores_, [](const LargestScores& s) { return s.slope() < least_slope && s.slope(50) < least_slope; });
 }
 
 bool Arms::constant(double scale) const {

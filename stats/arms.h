@@ -32,8 +32,9 @@ class Arms {
   double skewness_of_mean() const;
   /// The largest relative variance of a variance; see Moments::variance_of_variance.
   double variance_of_variance() const;
-  /// The slope of the heaviest tail; see LargestScores::slope.
-  double slope() const;
+  /// Whether the tail of an arm falls too slowly for a finite variance, by its 200 largest draws and
+  /// by its 50 largest: rare draws of one size among small ones look so to the 200 alone.
+  bool heavy() const;
   /// Whether the draws of each arm agree to the rounding of numbers as large as `scale`.
   bool constant(double scale) const;
 

@@ -31,19 +31,15 @@ double bet_on(double margin, double variance, double skew) {
   return part_of_best_bet * 2 * margin / (square + std::sqrt(square * square + 4 * margin * skew));
 }
 
-// The K at which to give up. On right code, after n = K variance/margin^2 draws at the best bets,
-// log U1 and log D1 are about normal with mean K/2 and variance K. So each is below log(1/beta)
-// with half of the given probability when K/2 - z sqrt(K) = log(1/beta). The factor 1.5 pays for
-// bets placed before the variance is known.
+std::string digits(double value) { return formatted("%.17g", value); }
+
+}  // namespace
+
 double drift_to_wait_for(double alpha, double beta) {
   const double z = -boost::math::quantile(boost::math::normal(), alpha / 2);
   const double root = z + std::sqrt(z * z + 2 * std::log(1 / beta));
   return 1.5 * root * root;
 }
-
-std::string digits(double value) { return formatted("%.17g", value); }
-
-}  // namespace
 
 BadDraw::BadDraw(std::uint64_t draw, double value, const char* problem)
     : std::runtime_error("draw " + std::to_string(draw) + " is " + digits(value) + " (" + problem + ")"),

@@ -54,6 +54,12 @@ struct NoMoreDraws : std::length_error {
   using std::length_error::length_error;
 };
 
+/// The K at which to give up. On right code, after n = K variance/margin^2 draws at the best bets, log
+/// U1 and log D1 are about normal with mean K/2 and variance K. So each is below log(1/beta) with
+/// half of the probability alpha when K/2 - z sqrt(K) = log(1/beta). A factor of 1.5 pays for bets
+/// placed before the variance is known. Both arguments are in (0,1).
+double drift_to_wait_for(double alpha, double beta);
+
 /// The logarithms of the four wealth processes, each of which starts with wealth 1.
 struct Wealth {
   double above_reference;     ///< U0, bets that the mean is above the reference

@@ -105,6 +105,19 @@ Expectation detail::expect_means(const Site& site, const std::string& of, std::v
                {margin.unit(scale), margin.unit_name(scale), draws.warning()});
 }
 
+Expectation detail::expect_mean(const Site& site, const FiniteVariance& claim, const Margin& margin,
+                                const Limits& limits, const EstimatorDraws& estimator) {
+  const Trial trial = trial_at(site, margin.share());
+  const double scale = margin.scale(claim.mean);
+  Meter meter(limits);
+  Draws draws(estimator, meter, generator_for(trial), 1);
+  const Finding finding =
+      catoni_test(trial, claim, scale, [&](std::uint64_t, Channels& channels) { draws.fill(channels); });
+  return judge(site, trial, formatted("the mean is %.10g", claim.mean), finding,
+               finding.verdict == Verdict::certified ? std::vector<double>() : sample_of_channel(draws, 0, 1),
+               {margin.unit(scale), margin.unit_name(scale), draws.warning()});
+}
+
 void detail::check_channels(std::size_t drawn, std::size_t expected) {
   if (drawn != expected)
     throw std::invalid_argument(

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fairlight/stats/catoni_test.h>
 #include <fairlight/stats/estimator_draws.h>
 #include <fairlight/stats/law_test.h>
 #include <fairlight/stats/limits.h>
@@ -29,7 +30,10 @@ Reference bounded(double mean, double lower, double upper);
 /// A mean of draws that are never negative: that it is not too high is tested exactly.
 inline Reference nonnegative(double mean) { return bounded(mean, 0, std::numeric_limits<double>::infinity()); }
 
-/// The same for an array or an Eigen vector of means, one for each channel.
+/// A mean of draws without a range whose variance is at most `variance`: exact, given that.
+inline FiniteVariance finite_variance(double mean, double variance) { return {mean, variance}; }
+
+/// The same as bounded for an array or an Eigen vector of means, one for each channel.
 template <class Means>
 requires requires(const Means& means) { means[0], means.size(); }
 std::vector<Reference> bounded(const Means& means, double lower, double upper) {
@@ -90,6 +94,10 @@ Expectation judge(const Site& site, const Trial& trial, const std::string& claim
 Expectation expect_means(const Site& site, const std::string& of, std::vector<Reference> references,
                          const Margin& margin, const Limits& limits, const EstimatorDraws& draws);
 
+/// Expects a mean of draws of finite variance.
+Expectation expect_mean(const Site& site, const FiniteVariance& claim, const Margin& margin, const Limits& limits,
+                        const EstimatorDraws& draws);
+
 /// Expects that two estimators of `channels` channels agree in their means.
 Expectation expect_agreement(const Site& site, std::size_t channels, const std::array<Interval, 2>& ranges,
                              const Margin& margin, const Limits& limits,
@@ -118,8 +126,12 @@ std::vector<double> sample_of(Draw&& draw) {
 template <class Estimator, class References>
 Expectation expect_unbiased(const Site& site, Estimator&& estimator, const References& references, Margin margin,
                             Limits limits) {
-  return detail::expect_means(site, "the mean", detail::references_of(references), margin, limits,
-                              detail::draws_of(estimator));
+  if constexpr (std::is_same_v<References, FiniteVariance>) {
+    return detail::expect_mean(site, references, margin, limits, detail::draws_of(estimator));
+  } else {
+    return detail::expect_means(site, "the mean", detail::references_of(references), margin, limits,
+                                detail::draws_of(estimator));
+  }
 }
 
 template <class Estimator, class References>

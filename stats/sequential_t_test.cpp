@@ -24,7 +24,6 @@ constexpr std::uint64_t shortest_pilot = 4096;
 constexpr std::uint64_t constant_after = 1u << 24, heavy_after = 1u << 16;
 constexpr double largest_variance_of_variance = 0.01;  // about a hundred of the draws that matter
 constexpr std::uint64_t largest_block = 65536;
-constexpr double least_slope = 3;
 const double most_skew = 3 * std::log(1.5);
 constexpr double part_for_giving_up = 0.02;  // of alpha
 // The rounds share beta geometrically: there is mostly one.
@@ -124,7 +123,12 @@ class GroupSequential {
   bool met_enough() const {
     if (arms_.constant(claim_.scale)) return arms_.count() >= constant_after;
     return arms_.variance_of_variance() <= largest_variance_of_variance ||
-           (arms_.count() >= heavy_after && arms_.slope() < least_slope);
+           (arms_.count() >= heavy_after && hopeless());
+  }
+
+  // A heavy tail in which a few draws hold the variance: more of them would not change that.
+  bool hopeless() const {
+    return arms_.heavy() && arms_.variance_of_variance() > 10 * largest_variance_of_variance;
   }
 
   // The numbers of draws per arm of the looks, in geometric progression. The last is enough for the
@@ -178,7 +182,8 @@ class GroupSequential {
     }
     const double off = std::abs(excess(arms_.difference() - claim_.mean)) / std::sqrt(arms_.squared_error());
     const bool both = claim_.sides == Sides::both;
-    if (arms_.slope() < least_slope) {
+    if (arms_.heavy()) {
+      if (!hopeless()) end_ = End::wild;
       finding.note =
           "tail: the largest draws fall too slowly for a finite variance (declare a range: fairlight::bounded)";
     } else if (!trusted(normal_quantile(beta))) {

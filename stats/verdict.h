@@ -18,7 +18,7 @@ enum class Guarantee {
   exact,          ///< holds at any number of draws, by Ville's inequality
   /// The same, if a declared tail or variance is right, which no draw can show: it is taken on trust.
   exact_given_tail,
-  asymptotic,     ///< holds in the limit of many draws, under the conditions that the test states
+  asymptotic,  ///< holds in the limit of many draws, under the conditions that the test states
 };
 
 /// A closed interval [lo, hi], whose ends may be infinite.
