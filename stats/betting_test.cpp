@@ -24,13 +24,6 @@ constexpr double part_for_giving_up = 0.02;
 // The bet divided by the best l. It costs 1 % of the mean growth, and shortens unlucky runs.
 constexpr double part_of_best_bet = 0.9;
 
-// The l that maximises E[log(1 + l Y)], to third order in l: m - l (s^2 + m^2) - l^2 t = 0, where Y
-// has mean m, variance s^2 and third central moment -t. Without t, bets against rare losses lose.
-double bet_on(double margin, double variance, double skew) {
-  const double square = variance + margin * margin;
-  return part_of_best_bet * 2 * margin / (square + std::sqrt(square * square + 4 * margin * skew));
-}
-
 std::string digits(double value) { return formatted("%.17g", value); }
 
 }  // namespace
@@ -79,6 +72,13 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
 double BettingTest::reach() const {
   const double above = hypothesis_.upper - hypothesis_.mean, below = hypothesis_.mean - hypothesis_.lower;
   return std::max(std::isinf(above) ? 0 : above, std::isinf(below) ? 0 : below);
+}
+
+// The l that maximises E[log(1 + l Y)], to third order in l: m - l (s^2 + m^2) - l^2 t = 0, where Y
+// has mean m, variance s^2 and third central moment -t. Without t, bets against rare losses lose.
+double BettingTest::bet_on(double margin, double variance, double skew) {
+  const double square = variance + margin * margin;
+  return part_of_best_bet * 2 * margin / (square + std::sqrt(square * square + 4 * margin * skew));
 }
 
 // An estimate of the variance of one draw from n draws: the sample's, plus that of an unseen event

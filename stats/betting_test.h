@@ -103,6 +103,8 @@ class BettingTest {
   double expected_draws() const;
 
   const Moments& moments() const { return moments_; }
+  /// The number of blocks so far, which the interval keeps, at 40 bytes each.
+  std::size_t blocks() const { return blocks_.size(); }
 
   /// The log wealths. U0 and D0 are compared with refuting(), U1 and D1 with certifying().
   Wealth wealth() const;
@@ -116,7 +118,7 @@ class BettingTest {
   Wealth wealth_for(double margin) const;
 
   /// A confidence interval of the mean, in X's unit: each end is wrong with probability at most
-  /// 1.25 beta, at any stopping time. It inverts the mixture, whose first part, of weight 0.8 =
+  /// 1.25 beta (1.4 beta where the test may end undecided), at any stopping time. It inverts the mixture, whose first part, of weight 0.8 =
   /// 1/1.25, bets like the certifying processes: so it shows whatever they show.
   Interval interval() const;
 
@@ -152,6 +154,9 @@ class BettingTest {
   static constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
   static constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
 
+  static constexpr std::size_t most_blocks_for_grid = 1u << 16;  // it takes a second or so
+
+  static double bet_on(double margin, double variance, double skew);
   static double log_mixture(const std::array<LogProduct, 3>& products);
   static double return_of(double bet, double room, double gain);
   double reach() const;
@@ -161,9 +166,10 @@ class BettingTest {
   double spread() const;
   Gains refute(const Block& block, double bet) const;
   Gains certify(const Block& block, double bet, double margin) const;
-  Stakes stakes(bool above) const;
-  double evidence(const Stakes& stakes, double candidate) const;
-  double end_of_interval(bool above) const;
+  Stakes stakes(bool above, double margin) const;
+  static double evidence(const Stakes& stakes, double candidate, double threshold);
+  double end_of_interval(bool above, double margin, double threshold) const;
+  Interval interval_of_grid() const;
   void decide();
 
   MeanHypothesis hypothesis_;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numeric>
 
 #include <fairlight/stats/dependence.h>
 #include <fairlight/stats/text.h>
@@ -7,33 +8,32 @@ namespace fairlight {
 
 void LagOne::add(std::span<const double> draws) {
   if (draws.empty()) return;
-  if (count_ == 0) first_ = last_ = draws[0];
-  double last = last_ - first_;
+  const double sum = std::accumulate(draws.begin(), draws.end(), 0.0);
+  const auto before = static_cast<double>(count_), n = static_cast<double>(draws.size());
+  mean_ = (before * mean_ + sum) / (before + n);
+  double last = count_ == 0 ? 0 : last_ - mean_;
   for (double draw : draws) {
-    const double x = draw - first_;
-    sum_ += x;
+    const double x = draw - mean_, product = x * last;
     squares_ += x * x;
-    products_ += x * last;
+    products_ += product;
+    squared_products_ += product * product;
     last = x;
   }
   last_ = draws.back();
   count_ += draws.size();
 }
 
-double LagOne::correlation() const {
-  const auto n = static_cast<double>(count_);
-  const double mean = sum_ / n;
-  return (products_ / n - mean * mean) / (squares_ / n - mean * mean);
-}
+double LagOne::correlation() const { return products_ / squares_; }
 
 std::string LagOne::warning() const {
   constexpr double least = 0.05, standard_errors = 6;
-  if (count_ < 1000) return {};
+  constexpr std::uint64_t fewest = 100;
+  if (count_ < fewest) return {};
   const double r = correlation();
-  if (!(std::abs(r) > least && std::abs(r) * std::sqrt(static_cast<double>(count_)) > standard_errors)) return {};
+  if (!(std::abs(r) > least && std::abs(products_) > standard_errors * std::sqrt(squared_products_))) return {};
   return formatted(
-      "draws depend on each other: each has correlation %+.2f with the next (make one draw of each "
-      "independent replicate)",
+      "the draws depend on each other: each has correlation %+.2f with the next, which voids the verdict (make "
+      "each draw an independent replicate)",
       r);
 }
 

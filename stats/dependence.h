@@ -14,14 +14,15 @@ class LagOne {
   /// NaN where the draws have no variance, or are not finite.
   double correlation() const;
 
-  /// A sentence where the correlation is beyond 0.05 and beyond six standard errors (1/sqrt(n), of
-  /// independent draws); otherwise empty.
+  /// A sentence where the correlation is beyond 0.05 and beyond six standard errors; otherwise
+  /// empty. The standard error is that of the products themselves, so that a few large draws side
+  /// by side, as rare draws may be by chance, are no warning.
   std::string warning() const;
 
  private:
   std::uint64_t count_ = 0;
-  double first_ = 0, last_ = 0;  // draws are counted from the first, which keeps their digits
-  double sum_ = 0, squares_ = 0, products_ = 0;
+  double mean_ = 0, last_ = 0;
+  double squares_ = 0, products_ = 0, squared_products_ = 0;  // of deviations from the mean so far
 };
 
 }  // namespace fairlight

@@ -100,8 +100,12 @@ Expectation detail::expect_means(const Site& site, const std::string& of, std::v
   const std::size_t c = worst_channel(findings);
   const double scale = references[c].scale;
   const bool met = findings[c].verdict == Verdict::certified;
-  return judge(site, trial, channel_name(c, n) + claim_of(of, references[c]), findings[c],
-               met ? std::vector<double>() : sample_of_channel(draws, c, n),
+  const bool one_for_all = n > 1 && std::ranges::all_of(findings, [&](const Finding& f) {
+                             return f.verdict == Verdict::biased && f.note == findings[0].note;
+                           });
+  const std::string claim = one_for_all ? formatted("%s of each of %zu channels", of.c_str(), n)
+                                        : channel_name(c, n) + claim_of(of, references[c]);
+  return judge(site, trial, claim, findings[c], met ? std::vector<double>() : sample_of_channel(draws, c, n),
                {margin.unit(scale), margin.unit_name(scale), draws.warning()});
 }
 
@@ -122,6 +126,12 @@ void detail::check_channels(std::size_t drawn, std::size_t expected) {
   if (drawn != expected)
     throw std::invalid_argument(
         formatted("a draw has %zu channels, and %zu are expected (give one reference for each)", drawn, expected));
+}
+
+Reference detail::variance_reference(double variance, const Interval& range) {
+  if (!(variance > 0 && std::isfinite(variance)))
+    throw std::invalid_argument(formatted("the variance is %g (give a positive number)", variance));
+  return bounded(variance, 0, (range.hi - range.lo) * (range.hi - range.lo) / 2);
 }
 
 detail::EstimatorDraws detail::pair_variances(EstimatorDraws draws, const Interval& range) {

@@ -58,9 +58,12 @@ Expectation detail::judge(const Site& site, const Trial& trial, const std::strin
   const double unit = wording.unit;
   const bool met = finding.verdict == Verdict::certified;
   std::string message = std::string(name(finding.verdict)) + ": " + claim + "\n";
-  message += formatted("  bias %+.3e, in [%+.3e, %+.3e], margin %.1e, ", unit * finding.bias,
-                       unit * finding.interval.lo, unit * finding.interval.hi, unit * finding.margin);
-  message += wording.unit_name + "\n";
+  // A draw that cannot be ends a test without an estimate.
+  const bool estimated = finding.interval.lo < finding.interval.hi;
+  if (estimated)
+    message += formatted("  bias %+.3e, in [%+.3e, %+.3e], margin %.1e, %s\n", unit * finding.bias,
+                         unit * finding.interval.lo, unit * finding.interval.hi, unit * finding.margin,
+                         wording.unit_name.c_str());
   message += formatted("  %llu draws, level %.1e, miss rate %.0e, ", static_cast<unsigned long long>(finding.draws),
                        trial.alpha, trial.beta);
   message += std::string(name(finding.guarantee)) + "\n";

@@ -94,6 +94,9 @@ Expectation judge(const Site& site, const Trial& trial, const std::string& claim
 Expectation expect_means(const Site& site, const std::string& of, std::vector<Reference> references,
                          const Margin& margin, const Limits& limits, const EstimatorDraws& draws);
 
+/// The claim of a variance about half the squared difference of two draws.
+Reference variance_reference(double variance, const Interval& range);
+
 /// Expects a mean of draws of finite variance.
 Expectation expect_mean(const Site& site, const FiniteVariance& claim, const Margin& margin, const Limits& limits,
                         const EstimatorDraws& draws);
@@ -154,8 +157,7 @@ template <class Estimator>
 Expectation expect_variance_at_most(const Site& site, Estimator&& estimator, double variance, Margin margin,
                                     Limits limits) {
   const Interval range = detail::range_of(estimator);
-  const double width = range.hi - range.lo;
-  const auto references = detail::on_sides({bounded(variance, 0, width * width / 2)}, Sides::not_above);
+  const auto references = detail::on_sides({detail::variance_reference(variance, range)}, Sides::not_above);
   return detail::expect_means(site, "the variance", references, margin, limits,
                               detail::pair_variances(detail::draws_of(estimator), range));
 }

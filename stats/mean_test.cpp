@@ -55,6 +55,11 @@ void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
   for (std::size_t c = 0; c < tests.size(); ++c) evidence.means[first + c].add(tests[c]);
 }
 
+// Such a range has bets so small that each draw is a block; they would fill the memory.
+constexpr std::size_t most_blocks = 1u << 25;
+constexpr const char* too_many_blocks =
+    "the range is too long for the margin: more than 3e7 bets (declare a shorter one)";
+
 // What a verdict takes, for tests that end without one.
 std::string needed(const std::vector<BettingTest>& tests) {
   const double expected = Plan(tests).expected;
@@ -77,6 +82,7 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
       const Plan plan(tests);
       const auto n = static_cast<double>(drawn);
       if (n > plan.patience) return "the cap on draws came first";
+      if (tests[0].blocks() > most_blocks) return std::string(too_many_blocks) + needed(tests);
       if (drawn > 0 && !goes_on(trial, n / std::max(plan.expected, 1.01 * n))) return told_to_end;
       looks = drawn + std::max<std::uint64_t>(drawn / 64, 1);
     }

@@ -105,7 +105,7 @@ class GroupSequential {
     while (arms_.count() < count) {
       const std::uint64_t so_far = arms_.count();
       if (so_far > 0 && !goes_on(trial_, static_cast<double>(so_far) / static_cast<double>(total))) throw Told();
-      const std::uint64_t block = std::min(count - so_far, largest_block);
+      const std::uint64_t block = std::min({count - so_far, largest_block, std::max<std::uint64_t>(so_far, 64)});
       for (auto& channel : channels) channel.resize(block);
       draw_block_(drawn_, channels);
       for (std::size_t a = 0; a < channels.size(); ++a) arms_.add(a, drawn_, channels[a]);
@@ -244,6 +244,8 @@ class GroupSequential {
 
   // What the verdict would have taken.
   std::string needed() const {
+    if (drawn_ < shortest_pilot)
+      return formatted("; a pilot alone takes %d draws (raise the cap)", int(shortest_pilot));
     if (total_ == 0) return "; the draws that matter are too rare for a plan (declare a range: fairlight::bounded)";
     return formatted("; a verdict needs up to %.1e draws (raise the cap, or give a larger margin)",
                      static_cast<double>(total_));
