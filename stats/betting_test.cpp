@@ -95,8 +95,10 @@ double BettingTest::spread() const {
 std::uint64_t BettingTest::block_size() const {
   constexpr double largest_block = 65536;
   const double lossless = largest_stake * spread() / (hypothesis_.margin * reach());
-  const double steady = static_cast<double>(moments_.count()) / 8;
-  return static_cast<std::uint64_t>(std::max(1.0, std::min({lossless, steady, largest_block})));
+  const auto n = static_cast<double>(moments_.count());
+  // Lossless for a margin of two standard errors too, which is what the interval shows so far.
+  const double reached = largest_stake * std::sqrt(spread() * n) / (2 * reach());
+  return static_cast<std::uint64_t>(std::max(1.0, std::min({lossless, reached, n / 8, largest_block})));
 }
 
 BettingTest::Outlook BettingTest::outlook(std::uint64_t block) const {

@@ -29,6 +29,8 @@ std::string LagOne::warning() const {
   constexpr double least = 0.05, standard_errors = 6;
   constexpr std::uint64_t fewest = 100;
   if (count_ < fewest) return {};
+  const double rounding = 1e-12 * mean_;
+  if (squares_ <= static_cast<double>(count_) * rounding * rounding) return {};  // a constant
   const double r = correlation();
   if (!(std::abs(r) > least && std::abs(products_) > standard_errors * std::sqrt(squared_products_))) return {};
   return formatted(

@@ -30,7 +30,17 @@ InRange<std::decay_t<Estimator>> in_range(Estimator&& estimator, double lower, d
   return {std::forward<Estimator>(estimator), lower, upper};
 }
 
+/// An estimate with the standard error that its estimator states.
+struct Estimate {
+  double value, standard_error;
+};
+
 namespace detail {
+
+/// 1 where a stated interval misses the reference, 0 where it covers it, NaN where it is none (an
+/// end is NaN, or the ends are in the wrong order). Of an Estimate, it is the normal interval.
+double misses(const Interval& interval, double level, double reference);
+double misses(const Estimate& estimate, double level, double reference);
 
 /// Fills channels[c][i] with channel c of draw i. The caller sets the sizes.
 using EstimatorDraws = std::function<void(Generator&, Meter&, std::vector<std::vector<double>>& channels)>;

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+
+#include <boost/math/distributions/normal.hpp>
 
 #include <fairlight/stats/channel_findings.h>
 #include <fairlight/stats/dependence.h>
@@ -120,6 +123,22 @@ Expectation detail::expect_mean(const Site& site, const FiniteVariance& claim, c
   return judge(site, trial, formatted("the mean is %.10g", claim.mean), finding,
                finding.verdict == Verdict::certified ? std::vector<double>() : sample_of_channel(draws, 0, 1),
                {margin.unit(scale), margin.unit_name(scale), draws.warning()});
+}
+
+double detail::misses(const Interval& interval, double, double reference) {
+  if (!(interval.lo <= interval.hi)) return std::numeric_limits<double>::quiet_NaN();
+  return interval.lo <= reference && reference <= interval.hi ? 0 : 1;
+}
+
+double detail::misses(const Estimate& estimate, double level, double reference) {
+  const double reach = boost::math::quantile(boost::math::normal(), (1 + level) / 2) * estimate.standard_error;
+  return misses(Interval{estimate.value - reach, estimate.value + reach}, level, reference);
+}
+
+double detail::miss_rate_of(double level) {
+  if (!(level > 0 && level < 1))
+    throw std::invalid_argument(formatted("the level of the intervals is %g (give one in (0,1))", level));
+  return 1 - level;
 }
 
 void detail::check_channels(std::size_t drawn, std::size_t expected) {

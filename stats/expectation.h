@@ -63,6 +63,13 @@ template <class Estimator>
 Expectation expect_variance_at_most(const Site& site, Estimator&& estimator, double variance, Margin margin,
                                     Limits limits = {});
 
+/// Expects that intervals cover the reference as often as they say, by betting on their misses:
+/// exact. `estimator(generator)` returns an Interval{lo, hi} of the level, or an Estimate{value,
+/// standard_error}. The margin is relative to the miss rate 1 - level.
+template <class Estimator>
+Expectation expect_intervals(const Site& site, Estimator&& estimator, double reference, double level = 0.95,
+                             Margin margin = 0.1, Limits limits = {});
+
 /// Expects that the points `sampler(generator)` follow `density(point)` over the domain (see
 /// stats/domains.h). The margin is a relative L2 distance between laws.
 template <class Sampler, class Pdf, class Domain>
@@ -105,6 +112,9 @@ Expectation expect_mean(const Site& site, const FiniteVariance& claim, const Mar
 Expectation expect_agreement(const Site& site, std::size_t channels, const std::array<Interval, 2>& ranges,
                              const Margin& margin, const Limits& limits,
                              const std::array<EstimatorDraws, 2>& draws);
+
+/// 1 - level. Throws std::invalid_argument for a level outside (0,1).
+double miss_rate_of(double level);
 
 /// The references with these sides.
 std::vector<Reference> on_sides(std::vector<Reference> references, Sides sides);

@@ -14,6 +14,8 @@
 ///   EXPECT_AT_MOST, EXPECT_AT_LEAST                the same, of one side
 ///   EXPECT_AGREE(a, b, margin)                     two estimators have the same mean
 ///   EXPECT_VARIANCE_AT_MOST(in_range(estimator, lower, upper), variance, margin)
+///   EXPECT_INTERVALS(estimator, reference, level)  its intervals, or standard errors, cover as
+///                                                  they say
 ///   EXPECT_FOLLOWS(sampler, density, domain)       sampler(generator) follows density(point)
 /// A margin is a share of the reference, or absolute(0.01). A last argument limits draws and
 /// seconds, as in Limits{.seconds = 10}. The shares of the budget come from GoogleTest's list of
@@ -87,6 +89,8 @@ inline ::testing::AssertionResult assertion(const Expectation& expectation) {
   EXPECT_TRUE(fairlight::assertion(fairlight::expect_at_least(fairlight::googletest_site(), __VA_ARGS__)))
 #define EXPECT_VARIANCE_AT_MOST(...) \
   EXPECT_TRUE(fairlight::assertion(fairlight::expect_variance_at_most(fairlight::googletest_site(), __VA_ARGS__)))
+#define EXPECT_INTERVALS(...) \
+  EXPECT_TRUE(fairlight::assertion(fairlight::expect_intervals(fairlight::googletest_site(), __VA_ARGS__)))
 #define EXPECT_FOLLOWS(...) \
   EXPECT_TRUE(fairlight::assertion(fairlight::expect_follows(fairlight::googletest_site(), __VA_ARGS__)))
 #define EXPECT_AGREE(...) \

@@ -27,6 +27,8 @@ inline void rapidcheck_fail_unless(const Expectation& expectation) {
   fairlight::rapidcheck_fail_unless(fairlight::expect_at_least(fairlight::googletest_site(), __VA_ARGS__))
 #define RC_EXPECT_VARIANCE_AT_MOST(...) \
   fairlight::rapidcheck_fail_unless(fairlight::expect_variance_at_most(fairlight::googletest_site(), __VA_ARGS__))
+#define RC_EXPECT_INTERVALS(...) \
+  fairlight::rapidcheck_fail_unless(fairlight::expect_intervals(fairlight::googletest_site(), __VA_ARGS__))
 #define RC_EXPECT_FOLLOWS(...) \
   fairlight::rapidcheck_fail_unless(fairlight::expect_follows(fairlight::googletest_site(), __VA_ARGS__))
 #define RC_EXPECT_AGREE(...) \

@@ -21,7 +21,7 @@ constexpr int looks = 6;
 constexpr std::uint64_t shortest_pilot = 4096;
 // After so many equal draws the pilot takes them for a constant, and after so many with a slow tail
 // it takes the variance for infinite.
-constexpr std::uint64_t constant_after = 1u << 24, heavy_after = 1u << 16;
+constexpr std::uint64_t constant_after = 1u << 24, heavy_after = 1u << 16, heavy_for_sure_after = 1u << 22;
 constexpr double largest_variance_of_variance = 0.01;  // about a hundred of the draws that matter
 constexpr std::uint64_t largest_block = 65536;
 const double most_skew = 3 * std::log(1.5);

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include <gtest/gtest.h>
-#include <support/program.h>
+#include <support/shell.h>
 
 // Every failure under --gtest_repeat prints a line that replays it, whatever kind of test it stands in.
 namespace fairlight::testing {

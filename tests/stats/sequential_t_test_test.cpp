@@ -73,7 +73,7 @@ TEST(SequentialT, TestsOneSide) {
 // The pilot goes on until it has met about a hundred of the draws that matter.
 TEST(SequentialT, MeetsRareDrawsBeforeItPlans) {
   const auto rare = [](double rest) {
-    return draws_of([=](double u, auto) { return rest + (u < 1e-4 ? (1 - rest) / 1e-4 : 0); });
+    return draws_of([=](double u, auto) { return rest + (u < 1e-3 ? (1 - rest) / 1e-3 : 0); });
   };
   const Trial coarse{"t_test", 1, 1e-6, 0.01, 0.3};
   EXPECT_EQ(sequential_t_test(coarse, 1, 1, rare(0)).verdict, Verdict::certified);
