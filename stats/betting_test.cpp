@@ -54,9 +54,10 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper)) {
     throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
   }
-  if (!(reach() > 0 && reach() < largest_range)) {
+  const double width = std::isinf(h.upper - h.lower) ? reach() : h.upper - h.lower;
+  if (!(width > 0 && width < largest_range)) {
     throw std::invalid_argument(
-        "the declared range needs a finite end, within 1e100 of the mean (rescale the draws: their cubes are "
+        "the declared range needs a finite end, and must be shorter than 1e100 (rescale the draws: their cubes are "
         "summed)");
   }
   if (!(h.rounding >= 0 && h.rounding <= h.margin / 4)) {

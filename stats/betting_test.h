@@ -81,7 +81,7 @@ class BettingTest {
   /// alpha in (0,1): the probability that a right estimator fails. 98 % of it is for `biased`, 2 %
   /// for giving up. beta in (0,1): the miss rate of `certified`.
   /// Throws std::invalid_argument unless lower < mean - margin, mean + margin < upper and margin >
-  /// 0, unless the range has a finite end within 1e100 of the mean, and for a rounding above margin /
+  /// 0, unless the range has a finite end and is shorter than 1e100, and for a rounding above margin /
   /// 4 or a tail slack above margin / 20.
   BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta);
 

@@ -172,6 +172,14 @@ Expectation expect_variance_at_most(const Site& site, Estimator&& estimator, dou
                               detail::pair_variances(detail::draws_of(estimator), range));
 }
 
+template <class Estimator>
+Expectation expect_intervals(const Site& site, Estimator&& estimator, double reference, double level, Margin margin,
+                             Limits limits) {
+  auto miss = [&](Generator& generator) { return detail::misses(estimator(generator), level, reference); };
+  return detail::expect_means(site, "the rate at which intervals miss " + std::to_string(reference),
+                              {bounded(detail::miss_rate_of(level), 0, 1)}, margin, limits, detail::draws_of(miss));
+}
+
 template <class Sampler, class Pdf, class Domain>
 Expectation expect_follows(const Site& site, Sampler&& sampler, Pdf&& density, const Domain& domain, double margin,
                            Limits limits) {
