@@ -22,7 +22,8 @@ BettingTest::Stakes BettingTest::stakes(bool above, double margin) const {
 }
 
 // The log wealth of betting, with the whole mixture, against a mean at most (or at least) the
-// candidate, less a log threshold. It falls as the candidate moves towards the draws. All bets stay affordable for candidates inside the search range.
+// candidate, less a log threshold. It falls as the candidate moves towards the draws. All bets stay
+// affordable for candidates inside the search range.
 double BettingTest::evidence(const Stakes& stakes, double candidate, double threshold) {
   std::array<LogProduct, 3> wealth;
   for (Eigen::Index i = 0; i < stakes.bets.size(); i += 4) {

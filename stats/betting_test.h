@@ -118,8 +118,9 @@ class BettingTest {
   Wealth wealth_for(double margin) const;
 
   /// A confidence interval of the mean, in X's unit: each end is wrong with probability at most
-  /// 1.25 beta (1.4 beta where the test may end undecided), at any stopping time. It inverts the mixture, whose first part, of weight 0.8 =
-  /// 1/1.25, bets like the certifying processes: so it shows whatever they show.
+  /// 1.25 beta (1.4 beta where the test may end undecided), at any stopping time. It inverts the
+  /// mixture, whose first part, of weight 0.8 = 1/1.25, bets like the certifying processes: so it
+  /// shows whatever they show.
   Interval interval() const;
 
  private:

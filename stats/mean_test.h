@@ -42,9 +42,9 @@ DrawBlock one_channel(const Draw& draw) {
 /// Certified when all channels are, biased when one is, undecided when the cap on draws comes first
 /// (on right code as rare as a false alarm). A draw outside its range is `biased`, with a note that
 /// names it.
-/// Guarantee: exact; with a tail slack, exact given its tail. The finding shows the channel with the largest bias; for a one-sided claim,
-/// the largest in the excluded direction. Throws std::invalid_argument for no references, or for
-/// one that cannot be tested.
+/// Guarantee: exact; with a tail slack, exact given its tail. The finding shows the channel with
+/// the largest bias; for a one-sided claim, the largest in the excluded direction. Throws
+/// std::invalid_argument for no references, or for one that cannot be tested.
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block);
 
 /// The same, one finding per channel. A draw outside its range ends the test; every channel then
