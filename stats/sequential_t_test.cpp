@@ -18,16 +18,17 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int looks = 6;
-constexpr std::uint64_t shortest_pilot = 4096;
+constexpr std::uint64_t shortest_pilot = 4096, largest_block = 65536;
 // After so many equal draws the pilot takes them for a constant, and after so many with a slow tail
 // it takes the variance for infinite.
 constexpr std::uint64_t constant_after = 1u << 24, heavy_after = 1u << 16, heavy_for_sure_after = 1u << 22;
 constexpr double largest_variance_of_variance = 0.01;  // about a hundred of the draws that matter
-constexpr std::uint64_t largest_block = 65536;
 const double most_skew = 3 * std::log(1.5);
 constexpr double part_for_giving_up = 0.02;  // of alpha
-// The rounds share beta geometrically: there is mostly one.
-constexpr double part_of_first_round = 0.9;
+constexpr double part_of_first_round = 0.9;  // of beta; the next has 0.9 of the rest, and so on
+
+constexpr const char* heavy_tail =
+    "tail: the largest draws fall too slowly for a finite variance (declare a range: fairlight::bounded)";
 
 double normal_quantile(double tail) { return -boost::math::quantile(boost::math::normal(), tail); }
 
@@ -51,6 +52,7 @@ class GroupSequential {
     double beta = trial_.beta * part_of_first_round;
     for (bool searched = false;; beta *= 1 - part_of_first_round) {
       draw_pilot(pilot);
+      if (hopeless()) return ended(heavy_tail);
       auto counts = plan(beta);
       // A mean that was off is looked for among as many draws as the pilot has.
       for (std::uint64_t& count : counts) count = std::max(count, searched ? arms_.count() : 0);
@@ -184,8 +186,7 @@ class GroupSequential {
     const bool both = claim_.sides == Sides::both;
     if (arms_.heavy()) {
       if (!hopeless()) end_ = End::wild;
-      finding.note =
-          "tail: the largest draws fall too slowly for a finite variance (declare a range: fairlight::bounded)";
+      finding.note = heavy_tail;
     } else if (!trusted(normal_quantile(beta))) {
       end_ = End::wild;
       finding.note = "tail: the draws are too skew for their number (declare a range: fairlight::bounded)";
@@ -242,7 +243,6 @@ class GroupSequential {
                          : "fairlight::bounded(mean, lower, upper)");
   }
 
-  // What the verdict would have taken.
   std::string needed() const {
     if (drawn_ < shortest_pilot)
       return formatted("; a pilot alone takes %d draws (raise the cap)", int(shortest_pilot));
