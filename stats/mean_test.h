@@ -42,8 +42,9 @@ DrawBlock one_channel(const Draw& draw) {
 /// Certified when all channels are, biased when one is, undecided when the cap on draws comes first
 /// (on right code as rare as a false alarm). A draw outside its range is `biased`, with a note that
 /// names it.
-/// Guarantee: exact. The finding shows the channel that failed, and names it; of channels with one
-/// verdict, one whose interval excludes 0, then the largest bias in an excluded direction. Throws
+/// Guarantee: exact; with a tail slack, exact given its tail. The finding shows the channel that
+/// failed, and names it; of channels with one verdict, one whose interval excludes 0, then the
+/// largest bias in an excluded direction. Throws
 /// std::invalid_argument for no references, or for one that cannot be tested.
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block);
 

@@ -52,9 +52,10 @@ void print_depth(const std::vector<Outcome>& outcomes, const RunOptions& run_opt
     return std::count_if(outcomes.begin(), outcomes.end(),
                          [=](const Outcome& outcome) { return outcome.finding.guarantee == guarantee; });
   };
-  std::printf("guarantees: %td exact, %td asymptotic (each says why), %td deterministic\n",
-              resting_on(Guarantee::exact), resting_on(Guarantee::asymptotic),
-              resting_on(Guarantee::deterministic));
+  std::printf(
+      "guarantees: %td exact, %td exact given their tails, %td asymptotic (each says why), %td deterministic\n",
+      resting_on(Guarantee::exact), resting_on(Guarantee::exact_given_tail), resting_on(Guarantee::asymptotic),
+      resting_on(Guarantee::deterministic));
   std::printf("deeper: --margin %.0e takes at most 100 times as long, here %.0f min\n",
               run_options.terms.margin / 10, std::ceil(100 * seconds / 60));
 }

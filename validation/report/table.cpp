@@ -84,7 +84,7 @@ class Table {
       : out_(out), options_(run_options) {
     colours_ = isatty(fileno(out)) != 0 && std::getenv("NO_COLOR") == nullptr;
     for (const Group& group : groups) width_ = std::max(width_, static_cast<int>(title(group, run_options).size()));
-    std::fprintf(out_, "%-*s %-10s %-13s %8s %21s %12s %8s\n", width_, "claim", "verdict", "guarantee", "margin",
+    std::fprintf(out_, "%-*s %-10s %-21s %8s %21s %12s %8s\n", width_, "claim", "verdict", "guarantee", "margin",
                  "bias between", "draws", "seconds");
   }
 
@@ -92,7 +92,7 @@ class Table {
     const Finding finding = finding_of(group);
     double seconds = 0;
     for (const Outcome* outcome : group) seconds += outcome->seconds;
-    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %10s %10s %12llu %8.2f\n", width_,
+    std::fprintf(out_, "%-*s %s%-10s%s %-21s %8.1e %10s %10s %12llu %8.2f\n", width_,
                  title(group, options_).c_str(), colour(finding.verdict), name(finding.verdict),
                  colours_ ? "\033[0m" : "", guarantee_of(group).c_str(), finding.margin,
                  end_text(finding.interval.lo).c_str(), end_text(finding.interval.hi).c_str(),
