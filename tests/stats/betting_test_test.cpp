@@ -196,7 +196,7 @@ TEST(BettingTest, LetsBlocksGrowUpToWhereTheirBetsWouldBeCapped) {
   EXPECT_EQ(size_after(16), 1u);
   EXPECT_EQ(size_after(100), 4u);
   EXPECT_EQ(size_after(1000), 14u);
-  EXPECT_EQ(size_after(20000), 45u);
+  EXPECT_EQ(size_after(10100), 45u);
 }
 
 // Zeros and ones in turn, of mean 1/2: what needs the end that is missing is neither bet on nor shown.
