@@ -2,6 +2,7 @@
 
 #include <concepts>
 
+#include <fairlight/estimators/ranges.h>
 #include <fairlight/estimators/safe_divide.h>
 
 namespace fairlight {
@@ -13,6 +14,11 @@ struct LightSample {
   Real distance;                      ///< to the light [m]; may be infinite
   Density<SolidAngle, Real> density;  ///< [1/sr]; if 0, the sample does not exist, and the rest has no meaning
 };
+
+/// The largest density of a direction to a rectangle or a triangle [1/sr]. Where it would be larger,
+/// as the solid angle is nearly 0, the light counts as invisible, as it is from its own plane.
+template <class Real>
+inline constexpr Lane<Real> largest_density = in_floats<Real> ? Lane<Real>(1e36) : Lane<Real>(1e280);
 
 /// Samples directions from a point towards a light. `sample(from, u)` is a pure function of the lit
 /// point and of a point u of the unit square. `pdf(from, direction)` is its density, which

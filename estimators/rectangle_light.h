@@ -80,11 +80,6 @@ class RectangleLight {
   Vec3<Real> x_, y_, normal_;
 };
 
-/// The largest density of a direction to a rectangle [1/sr]. Where it would be larger, as the solid
-/// angle is nearly 0, the rectangle counts as invisible, as it is from its own plane.
-template <class Real>
-inline constexpr Lane<Real> largest_density = in_floats<Real> ? Lane<Real>(1e36) : Lane<Real>(1e280);
-
 /// Directions to uniform points of a rectangle.
 /// Formula  p(w) = t^2 / (A cos_L), t the distance of the point in direction w, cos_L the cosine
 ///          there

@@ -5,20 +5,12 @@
 
 #include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <fairlight/stats/betting_test.h>
 #include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
-
-// The largest part of its possible loss that a process bets, so that no block can ruin it.
-constexpr double largest_stake = 0.9;
-
-// Larger bets find large biases sooner. A mixture of wealth processes is a wealth process.
-constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
-constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
 
 // A tail slack above this part of the margin would slow certification, whose bets ignore the slack.
 constexpr double largest_slack = 0.05;
@@ -29,44 +21,25 @@ constexpr double largest_range = 1e100;
 // The part of alpha for giving up on right code; the rest is for calling it biased.
 constexpr double part_for_giving_up = 0.02;
 
-double log_mixture(const std::array<LogProduct, 3>& products) {
-  const std::array<double, 3> logs{products[0].log(), products[1].log(), products[2].log()};
-  const double top = *std::max_element(logs.begin(), logs.end());
-  double sum = 0;
-  for (std::size_t i = 0; i < logs.size(); ++i) sum += mixture_weights[i] * std::exp(logs[i] - top);
-  return top + std::log(sum);
-}
-
 // The bet divided by the best l. It costs 1 % of the mean growth, and shortens unlucky runs.
 constexpr double part_of_best_bet = 0.9;
 
-// The l that maximises E[log(1 + l Y)], to third order in l: m - l (s^2 + m^2) - l^2 t = 0, where Y
-// has mean m, variance s^2 and third central moment -t. Without t, bets against rare losses lose.
-double bet_on(double margin, double variance, double skew) {
-  const double square = variance + margin * margin;
-  return part_of_best_bet * 2 * margin / (square + std::sqrt(square * square + 4 * margin * skew));
-}
+std::string digits(double value) { return formatted("%.17g", value); }
 
-// The relative gain of a process in one block; `room` is its largest possible loss per unit of bet.
-double return_of(double bet, double room, double gain) { return std::min(bet, largest_stake / room) * gain; }
+}  // namespace
 
-// The K at which to give up. On right code, after n = K variance/margin^2 draws at the best bets,
-// log U1 and log D1 are about normal with mean K/2 and variance K. So each is below log(1/beta)
-// with half of the given probability when K/2 - z sqrt(K) = log(1/beta). The factor 1.5 pays for
-// bets placed before the variance is known.
 double drift_to_wait_for(double alpha, double beta) {
   const double z = -boost::math::quantile(boost::math::normal(), alpha / 2);
   const double root = z + std::sqrt(z * z + 2 * std::log(1 / beta));
   return 1.5 * root * root;
 }
 
-std::string digits(double value) { return formatted("%.17g", value); }
-
-}  // namespace
-
 BadDraw::BadDraw(std::uint64_t draw, double value, const char* problem)
     : std::runtime_error("draw " + std::to_string(draw) + " is " + digits(value) + " (" + problem + ")"),
       draw_(draw) {}
+
+BadDraw::BadDraw(const BadDraw& bad, std::size_t channel)
+    : std::runtime_error(formatted("%s, in channel %zu", bad.what(), channel)), draw_(bad.draw_) {}
 
 BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta)
     : hypothesis_(hypothesis), beta_(beta) {
@@ -81,9 +54,11 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   if (!(h.lower < h.mean - h.margin && h.mean + h.margin < h.upper)) {
     throw std::invalid_argument("the mean, with its margin, must lie inside the declared range of the draws");
   }
-  if (!(h.upper - h.lower < largest_range)) {
+  const double width = std::isinf(h.upper - h.lower) ? reach() : h.upper - h.lower;
+  if (!(width > 0 && width < largest_range)) {
     throw std::invalid_argument(
-        "the declared range must be shorter than 1e100 (rescale the draws: their cubes are summed)");
+        "the declared range needs a finite end, and must be shorter than 1e100 (rescale the draws: their cubes are "
+        "summed)");
   }
   if (!(h.rounding >= 0 && h.rounding <= h.margin / 4)) {
     throw std::invalid_argument("the rounding must be nonnegative and at most a quarter of the margin");
@@ -94,23 +69,37 @@ BettingTest::BettingTest(const MeanHypothesis& hypothesis, double alpha, double 
   }
 }
 
+// The distance from the mean to the far end of the range; an infinite end does not count.
+double BettingTest::reach() const {
+  const double above = hypothesis_.upper - hypothesis_.mean, below = hypothesis_.mean - hypothesis_.lower;
+  return std::max(std::isinf(above) ? 0 : above, std::isinf(below) ? 0 : below);
+}
+
+// The l that maximises E[log(1 + l Y)], to third order in l: m - l (s^2 + m^2) - l^2 t = 0, where Y
+// has mean m, variance s^2 and third central moment -t. Without t, bets against rare losses lose.
+double BettingTest::bet_on(double margin, double variance, double skew) {
+  const double square = variance + margin * margin;
+  return part_of_best_bet * 2 * margin / (square + std::sqrt(square * square + 4 * margin * skew));
+}
+
 // An estimate of the variance of one draw from n draws: the sample's, plus that of an unseen event
 // of probability 1/n at the far end of the range; at most what the range and the mean allow (Bhatia
 // and Davis 2000). The test is exact for any estimate from earlier draws.
 double BettingTest::spread() const {
   const double above = hypothesis_.upper - hypothesis_.mean;
   const double below = hypothesis_.mean - hypothesis_.lower;
-  const double unseen = std::pow(std::max(above, below), 2);
+  const double unseen = std::pow(reach(), 2);
   const auto n = static_cast<double>(std::max<std::uint64_t>(moments_.count(), 1));
   return std::min(above * below, (moments_.squared_deviations() + unseen) / n);
 }
 
 std::uint64_t BettingTest::block_size() const {
   constexpr double largest_block = 65536;
-  const double range = std::max(hypothesis_.upper - hypothesis_.mean, hypothesis_.mean - hypothesis_.lower);
-  const double lossless = largest_stake * spread() / (hypothesis_.margin * range);
-  const double steady = static_cast<double>(moments_.count()) / 8;
-  return static_cast<std::uint64_t>(std::max(1.0, std::min({lossless, steady, largest_block})));
+  const double lossless = largest_stake * spread() / (hypothesis_.margin * reach());
+  const auto n = static_cast<double>(moments_.count());
+  // Lossless for a margin of two standard errors too, which is what the interval shows so far.
+  const double reached = largest_stake * std::sqrt(spread() * n) / (2 * reach());
+  return static_cast<std::uint64_t>(std::max(1.0, std::min({lossless, reached, n / 8, largest_block})));
 }
 
 BettingTest::Outlook BettingTest::outlook(std::uint64_t block) const {
@@ -148,6 +137,12 @@ void BettingTest::check_range(std::span<const double> draws) const {
   }
 }
 
+// The relative gain of a process in one block; `room` is its largest possible loss per unit of bet,
+// infinite on a side where the range has no end: there nothing is bet.
+double BettingTest::return_of(double bet, double room, double gain) {
+  return std::min(bet, largest_stake / room) * gain;
+}
+
 // The gains of U0 and D0, which bet against E[X] <= mean and E[X] >= mean.
 BettingTest::Gains BettingTest::refute(const Block& block, double bet) const {
   const auto& h = hypothesis_;
@@ -181,6 +176,14 @@ void BettingTest::add(std::span<const double> draws) {
   above_lower_.multiply(1 + certifying.up);
   below_upper_.multiply(1 + certifying.down);
   decide();
+}
+
+double BettingTest::log_mixture(const std::array<LogProduct, 3>& products) {
+  const std::array<double, 3> logs{products[0].log(), products[1].log(), products[2].log()};
+  const double top = *std::max_element(logs.begin(), logs.end());
+  double sum = 0;
+  for (std::size_t i = 0; i < logs.size(); ++i) sum += mixture_weights[i] * std::exp(logs[i] - top);
+  return top + std::log(sum);
 }
 
 double BettingTest::refuting() const { return std::log(refuting_); }
@@ -240,61 +243,5 @@ double BettingTest::expected_draws() const {
   const double range = hypothesis_.upper - hypothesis_.lower;
   return certifying() * (3.7 * moments_.variance() / (margin * margin) + 1.1 * range / margin);
 }
-
-// Padded with zero bets to a multiple of four, as `evidence` multiplies four factors at a time.
-BettingTest::Stakes BettingTest::stakes(bool above) const {
-  const auto& h = hypothesis_;
-  const auto n = static_cast<Eigen::Index>(blocks_.size());
-  Stakes all{Eigen::ArrayXd::Zero((n + 3) / 4 * 4), Eigen::ArrayXd::Zero((n + 3) / 4 * 4),
-             largest_stake / (above ? h.mean - h.lower : h.upper - h.mean + h.tail_slack)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Block& block = blocks_[static_cast<std::size_t>(i)];
-    all.bets[i] = block.bet;
-    all.on[i] = above ? block.mean : -h.tail_slack - block.capped;
-  }
-  return all;
-}
-
-// The log wealth of betting, with the whole mixture, against a mean at most (or at least) the
-// candidate, less the log threshold 0.8/beta. It falls as the candidate moves towards the draws.
-// All bets stay affordable for candidates inside the search range.
-double BettingTest::evidence(const Stakes& stakes, double candidate) const {
-  std::array<LogProduct, 3> wealth;
-  for (Eigen::Index i = 0; i < stakes.bets.size(); i += 4) {
-    const Eigen::Array4d bets = stakes.bets.segment<4>(i), gains = stakes.on.segment<4>(i) - candidate;
-    for (std::size_t k = 0; k < wealth.size(); ++k)
-      wealth[k].multiply((1 + (mixture_factors[k] * bets).min(stakes.largest) * gains).prod());
-  }
-  return log_mixture(wealth) - std::log(mixture_weights[0] / beta_);
-}
-
-// Finds the candidate at which `evidence` is 0: tries the margin, then four margins from the mean of
-// the draws, then the bound; on the other side it ends where bets are not affordable.
-double BettingTest::end_of_interval(bool above) const {
-  const auto& h = hypothesis_;
-  const Stakes all = stakes(above);
-  const double sign = above ? 1 : -1, bound = above ? h.lower : h.upper;
-  const double limit = bound + (h.mean - bound) / (1.05 * largest_stake);
-  const auto excess = [&](double candidate) { return evidence(all, sign * candidate); };
-  double open = above ? std::min(moments_.mean(), limit) : std::max(moments_.mean(), limit);
-  double at_open = excess(open);
-  if (at_open >= 0) at_open = excess(open = limit);
-  if (at_open >= 0) return limit;
-  double proven = bound, at_proven = -1;
-  for (double candidate : {h.mean - sign * h.margin, open - 4 * sign * h.margin, bound}) {
-    if (sign * (candidate - bound) < 0 || sign * (open - candidate) <= 0) continue;
-    at_proven = excess(proven = candidate);
-    if (at_proven >= 0) break;
-  }
-  if (at_proven < 0) return bound;
-  const double low = std::min(open, proven), high = std::max(open, proven);
-  std::uintmax_t iterations = 100;
-  const auto near_enough = [&](double a, double b) { return b - a < 1e-3 * h.margin; };
-  const auto bracket = boost::math::tools::toms748_solve(excess, low, high, above ? at_proven : at_open,
-                                                         above ? at_open : at_proven, near_enough, iterations);
-  return above ? bracket.first : bracket.second;
-}
-
-Interval BettingTest::interval() const { return {end_of_interval(true), end_of_interval(false)}; }
 
 }  // namespace fairlight

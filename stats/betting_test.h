@@ -26,7 +26,9 @@ enum class Sides {
 struct MeanHypothesis {
   double mean;    ///< the reference, E[X]
   double margin;  ///< the bias to exclude, in X's unit; positive
-  double lower;   ///< X >= lower, always
+  /// X >= lower, always. One end may be infinite; then nothing is shown that needs it: without an
+  /// upper end the test cannot say that the mean is too low, nor certify it from above.
+  double lower;
   /// X <= upper always if tail_slack is 0; otherwise E[(X - upper)+] <= tail_slack.
   double upper;
   double tail_slack = 0;  ///< in X's unit
@@ -39,6 +41,7 @@ struct MeanHypothesis {
 class BadDraw : public std::runtime_error {
  public:
   BadDraw(std::uint64_t draw, double value, const char* problem);
+  BadDraw(const BadDraw& bad, std::size_t channel);  ///< the same, which names its channel
   std::uint64_t draw() const { return draw_; }
 
  private:
@@ -50,6 +53,12 @@ class BadDraw : public std::runtime_error {
 struct NoMoreDraws : std::length_error {
   using std::length_error::length_error;
 };
+
+/// The K at which to give up. On right code, after n = K variance/margin^2 draws at the best bets, log
+/// U1 and log D1 are about normal with mean K/2 and variance K. So each is below log(1/beta) with
+/// half of the probability alpha when K/2 - z sqrt(K) = log(1/beta). A factor of 1.5 pays for bets
+/// placed before the variance is known. Both arguments are in (0,1).
+double drift_to_wait_for(double alpha, double beta);
 
 /// The logarithms of the four wealth processes, each of which starts with wealth 1.
 struct Wealth {
@@ -72,8 +81,8 @@ class BettingTest {
   /// alpha in (0,1): the probability that a right estimator fails. 98 % of it is for `biased`, 2 %
   /// for giving up. beta in (0,1): the miss rate of `certified`.
   /// Throws std::invalid_argument unless lower < mean - margin, mean + margin < upper and margin >
-  /// 0, unless the range is shorter than 1e100, and for a rounding above margin / 4 or a tail slack
-  /// above margin / 20.
+  /// 0, unless the range has a finite end and is shorter than 1e100, and for a rounding above margin /
+  /// 4 or a tail slack above margin / 20.
   BettingTest(const MeanHypothesis& hypothesis, double alpha, double beta);
 
   /// The number of draws that the next block should hold. It depends on earlier draws only.
@@ -94,6 +103,8 @@ class BettingTest {
   double expected_draws() const;
 
   const Moments& moments() const { return moments_; }
+  /// The number of blocks so far, which the interval keeps, at 40 bytes each.
+  std::size_t blocks() const { return blocks_.size(); }
 
   /// The log wealths. U0 and D0 are compared with refuting(), U1 and D1 with certifying().
   Wealth wealth() const;
@@ -107,8 +118,9 @@ class BettingTest {
   Wealth wealth_for(double margin) const;
 
   /// A confidence interval of the mean, in X's unit: each end is wrong with probability at most
-  /// 1.25 beta, at any stopping time. It inverts the mixture, whose first part, of weight 0.8 =
-  /// 1/1.25, bets like the certifying processes: so it shows whatever they show.
+  /// 1.25 beta (1.4 beta where the test may end undecided), at any stopping time. It inverts the
+  /// mixture, whose first part, of weight 0.8 = 1/1.25, bets like the certifying processes: so it
+  /// shows whatever they show.
   Interval interval() const;
 
  private:
@@ -137,15 +149,28 @@ class BettingTest {
     double up, down;
   };
 
+  // The largest part of its possible loss that a process bets, so that no block can ruin it.
+  static constexpr double largest_stake = 0.9;
+  // Larger bets find large biases sooner. A mixture of wealth processes is a wealth process.
+  static constexpr std::array<double, 3> mixture_weights{0.8, 0.1, 0.1};
+  static constexpr std::array<double, 3> mixture_factors{1.0, 2.5, 8.0};
+
+  static constexpr std::size_t most_blocks_for_grid = 1u << 16;  // it takes a second or so
+
+  static double bet_on(double margin, double variance, double skew);
+  static double log_mixture(const std::array<LogProduct, 3>& products);
+  static double return_of(double bet, double room, double gain);
+  double reach() const;
   Block summarise(std::span<const double> draws);
   void check_range(std::span<const double> draws) const;
   Outlook outlook(std::uint64_t block) const;
   double spread() const;
   Gains refute(const Block& block, double bet) const;
   Gains certify(const Block& block, double bet, double margin) const;
-  Stakes stakes(bool above) const;
-  double evidence(const Stakes& stakes, double candidate) const;
-  double end_of_interval(bool above) const;
+  Stakes stakes(bool above, double margin) const;
+  static double evidence(const Stakes& stakes, double candidate, double threshold);
+  double end_of_interval(bool above, double margin, double threshold) const;
+  Interval interval_of_grid() const;
   void decide();
 
   MeanHypothesis hypothesis_;

@@ -56,6 +56,7 @@ struct Evidence {
     std::vector<double> biases;
   };
 
+  bool courses = true;  ///< whether tests of means record their courses, which takes time
   std::vector<Cells> laws;
   /// One per channel. A mean that is tested in parts lists the channels of the first part, then
   /// those of the next.

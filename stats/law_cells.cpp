@@ -96,9 +96,15 @@ Landmarks with_pilot(Landmarks landmarks, std::span<const Eigen::Vector2d> pilot
     std::vector<double> x;
     for (const Eigen::Vector2d& place : pilot) x.push_back(place[axis]);
     std::sort(x.begin(), x.end());
-    for (std::size_t k = 1; k < parts && !x.empty(); ++k) {
-      const double quantile = x[k * x.size() / parts];
-      if (quantile > 0 && quantile < 1) to.push_back(quantile);
+    if (x.empty()) return;
+    const auto add_inside = [&](double edge) {
+      if (edge > 0 && edge < 1) to.push_back(edge);
+    };
+    for (std::size_t k = 1; k < parts; ++k) add_inside(x[k * x.size() / parts]);
+    // The tails, in ever longer steps.
+    for (double step = (x.back() - x.front()) / 4; step > 0 && step < 1; step *= 4) {
+      add_inside(x.front() - step);
+      add_inside(x.back() + step);
     }
     std::sort(to.begin(), to.end());
   };

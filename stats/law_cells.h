@@ -24,7 +24,7 @@ struct Landmarks {
   bool line = false;         ///< whether the density does not depend on t
 };
 
-/// Adds 15 quantiles of the pilot's coordinates to the landmarks.
+/// Adds 15 quantiles of the pilot's coordinates to the landmarks, and steps into both tails.
 Landmarks with_pilot(Landmarks landmarks, std::span<const Eigen::Vector2d> pilot);
 
 /// Thrown for a density whose quadrature does not reach 1e-6.

@@ -13,10 +13,21 @@ std::vector<double> weights_of(const std::vector<Manifest::Row>& rows) {
   return weights;
 }
 
+// The part of the budget for each claim alone.
+double budget_alone(const Manifest::Terms& terms) {
+  if (!(terms.joint_part >= 0 && terms.joint_part < 1)) {
+    throw std::invalid_argument("the joint part of the budget must be in [0,1) (the rest is for each claim alone)");
+  }
+  if (!(terms.budget > 0 && terms.budget < 1)) {
+    throw std::invalid_argument("the budget must be in (0,1) (it is a probability)");
+  }
+  return terms.budget * (1 - terms.joint_part);
+}
+
 }  // namespace
 
 Manifest::Manifest(std::vector<Row> rows, const Terms& terms)
-    : rows_(std::move(rows)), terms_(terms), budget_(terms.budget, weights_of(rows_)) {
+    : rows_(std::move(rows)), terms_(terms), budget_(budget_alone(terms), weights_of(rows_)) {
   if (!(terms.beta > 0 && terms.beta < 1)) {
     throw std::invalid_argument("the miss rate must be in (0,1) (it is a probability)");
   }

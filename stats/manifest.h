@@ -52,18 +52,26 @@ class Manifest {
   };
   struct Terms {
     std::uint64_t seed;
-    double budget = 1e-6;  ///< probability of a false alarm in a run of everything
-    double beta = 0.01;    ///< miss rate of each claim at its margin
-    double margin = 1e-3;  ///< relative
+    double budget = 1e-6;   ///< probability of a false alarm in a run of everything
+    double beta = 0.01;     ///< miss rate of each claim at its margin
+    double margin = 1e-3;   ///< relative
+    double joint_part = 0;  ///< part of the budget for what claims show together; the rest is for each alone
   };
 
   /// Throws std::invalid_argument for two rows of one name, for no rows, for a budget, miss rate or
-  /// margin outside (0,1), for a weight that is not positive, or for a finest margin outside [0,1).
+  /// margin outside (0,1), for a joint part outside [0,1), for a weight that is not positive, or for
+  /// a finest margin outside [0,1).
   Manifest(std::vector<Row> rows, const Terms& terms);
 
   /// The trial of a claim. It does not depend on which other claims run. Throws
   /// std::invalid_argument for a claim that is not listed, or whose own margin is 1 or more.
   Trial trial(const std::string& claim) const;
+
+  /// The level of each of `groups` > 0 groups of claims that are tested together: an equal share of
+  /// the joint part.
+  double joint_level(std::size_t groups) const {
+    return terms_.budget * terms_.joint_part / static_cast<double>(groups);
+  }
 
  private:
   std::vector<Row> rows_;

@@ -5,6 +5,7 @@
 
 #include <fairlight/stats/evidence.h>
 #include <fairlight/stats/mean_test.h>
+#include <fairlight/stats/text.h>
 
 namespace fairlight {
 namespace {
@@ -22,6 +23,16 @@ std::uint64_t next_block(const std::vector<BettingTest>& tests) {
     block = block == 0 ? next : std::min(block, next);
   }
   return block;
+}
+
+void add(std::vector<BettingTest>& tests, const std::vector<std::vector<double>>& channels) {
+  std::size_t c = 0;
+  try {
+    for (; c < tests.size(); ++c) tests[c].add(channels[c]);
+  } catch (const BadDraw& bad) {
+    if (tests.size() == 1) throw;
+    throw BadDraw(bad, c);
+  }
 }
 
 // The number of draws at which the open tests give up, and that at which they should have verdicts.
@@ -44,11 +55,24 @@ void leave_evidence(Evidence& evidence, const std::vector<BettingTest>& tests) {
   for (std::size_t c = 0; c < tests.size(); ++c) evidence.means[first + c].add(tests[c]);
 }
 
+// Such a range has bets so small that each draw is a block; they would fill the memory.
+constexpr std::size_t most_blocks = 1u << 25;
+constexpr const char* too_many_blocks =
+    "the range is too long for the margin: more than 3e7 bets (declare a shorter one)";
+
+// What a verdict takes, for tests that end without one.
+std::string needed(const std::vector<BettingTest>& tests) {
+  const double expected = Plan(tests).expected;
+  if (!(expected > static_cast<double>(tests[0].moments().count()))) return {};
+  return formatted("; a verdict needs about %.1e draws (raise the cap, or give a larger margin)", expected);
+}
+
 // Runs the tests until all have verdicts, one is biased, the cap is reached, there are no more
 // draws, or `watch` ends the test. Returns a note if there is no verdict.
 std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawBlock& draw_block) try {
   std::vector<std::vector<double>> channels(tests.size());
-  if (trial.evidence != nullptr) {
+  const bool courses = trial.evidence != nullptr && trial.evidence->courses;
+  if (courses) {
     for (const BettingTest& test : tests) trial.evidence->means.emplace_back(test);
   }
   std::uint64_t looks = 0;  // next number of draws at which to plan: every 1/64 of the draws
@@ -59,17 +83,18 @@ std::string run(const Trial& trial, std::vector<BettingTest>& tests, const DrawB
       const Plan plan(tests);
       const auto n = static_cast<double>(drawn);
       if (n > plan.patience) return "the cap on draws came first";
+      if (tests[0].blocks() > most_blocks) return std::string(too_many_blocks) + needed(tests);
       if (drawn > 0 && !goes_on(trial, n / std::max(plan.expected, 1.01 * n))) return told_to_end;
       looks = drawn + std::max<std::uint64_t>(drawn / 64, 1);
     }
     for (auto& channel : channels) channel.resize(block);
     draw_block(drawn, channels);
-    for (std::size_t c = 0; c < tests.size(); ++c) tests[c].add(channels[c]);
-    if (trial.evidence != nullptr) leave_evidence(*trial.evidence, tests);
+    add(tests, channels);
+    if (courses) leave_evidence(*trial.evidence, tests);
     drawn += block;
   }
 } catch (const NoMoreDraws& spent) {
-  return spent.what();
+  return spent.what() + needed(tests);
 }
 
 void tell_listener(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block,
@@ -103,8 +128,10 @@ double rough_bias(const std::vector<Reference>& references, const DrawBlock& dra
     draw_block(0, channels);
   } catch (const BadDraw& bad) {
     if (bad.draw() == 0) return std::numeric_limits<double>::quiet_NaN();
-    // The draws before the bad one.
-    for (std::vector<double>& channel : channels) channel.resize(bad.draw());
+    // The draws before the bad one; where draws are not numbered from 0 again, these.
+    for (std::vector<double>& channel : channels) channel.resize(std::min<std::size_t>(bad.draw(), channel.size()));
+  } catch (const NoMoreDraws&) {
+    return std::numeric_limits<double>::quiet_NaN();
   }
   double worst = 0;
   for (std::size_t c = 0; c < references.size(); ++c) {
@@ -144,11 +171,21 @@ Interval with_open_side(Interval bias, Sides sides) {
   return bias;
 }
 
+Guarantee guarantee_of(const Reference& reference) {
+  return reference.tail_slack > 0 ? Guarantee::exact_given_tail : Guarantee::exact;
+}
+
+std::string note_on_tail(const Reference& reference) {
+  if (reference.tail_slack == 0) return {};
+  return formatted("exact, given its tail: that at most %.1e of the mean lies above %g is taken on trust",
+                   reference.tail_slack / reference.scale, reference.upper);
+}
+
 Finding finding_of(const BettingTest& test, const Reference& reference, double margin) {
   const Interval interval = test.interval();
   const auto relative = [&](double x) { return (x - reference.mean) / reference.scale; };
   return {test.verdict(),
-          Guarantee::exact,
+          guarantee_of(reference),
           margin,
           relative(test.moments().mean()),
           with_open_side({relative(interval.lo), relative(interval.hi)}, reference.sides),
@@ -165,6 +202,22 @@ double size_of_bias(const Finding& finding) {
   return open_below ? finding.bias : -finding.bias;
 }
 
+// Whether `a` says more against the claim than `b`: a worse verdict, then an interval beyond 0, then a
+// larger bias.
+bool is_worse(const Finding& a, const Finding& b) {
+  const auto beyond_zero = [](const Finding& f) { return f.interval.lo > 0 || f.interval.hi < 0; };
+  if (a.verdict != b.verdict) return worse(a.verdict, b.verdict) == a.verdict;
+  if (beyond_zero(a) != beyond_zero(b)) return beyond_zero(a);
+  return size_of_bias(a) > size_of_bias(b);
+}
+
+// Names the channel of a finding that is not certified, since it alone is shown.
+std::string note_of(const std::string& note, const Finding& finding, std::size_t channel, std::size_t channels) {
+  if (channels == 1 || finding.verdict == Verdict::certified || note == told_to_end) return note;
+  return note + (note.empty() ? "" : "; ") + "channel " + std::to_string(channel) + ", of 0 to " +
+         std::to_string(channels - 1);
+}
+
 }  // namespace
 
 double finest_margin(const std::vector<Reference>& references) {
@@ -176,10 +229,8 @@ double finest_margin(const std::vector<Reference>& references) {
 Finding worst_of(const std::vector<Finding>& channels) {
   Finding worst = channels.at(0);
   for (const Finding& finding : channels) {
-    const Verdict verdict = worse(worst.verdict, finding.verdict);
     const std::uint64_t draws = std::max(worst.draws, finding.draws);
-    if (size_of_bias(finding) > size_of_bias(worst)) worst = finding;
-    worst.verdict = verdict;
+    if (is_worse(finding, worst)) worst = finding;
     worst.draws = draws;
   }
   return worst;
@@ -204,7 +255,8 @@ std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Refere
     std::vector<Finding> findings;
     for (std::size_t c = 0; c < tests.size(); ++c) {
       findings.push_back(with_token(trial, finding_of(tests[c], references[c], trial.margin)));
-      findings.back().note = note;
+      const std::string why = note.empty() ? note_on_tail(references[c]) : note;
+      findings.back().note = note_of(why, findings.back(), c, tests.size());
     }
     if (trial.evidence != nullptr) leave_grid(trial, grid_of(trial, tests, references));
     tell_listener(trial, references, draw_block, worst_of(findings).draws);

@@ -42,9 +42,10 @@ DrawBlock one_channel(const Draw& draw) {
 /// Certified when all channels are, biased when one is, undecided when the cap on draws comes first
 /// (on right code as rare as a false alarm). A draw outside its range is `biased`, with a note that
 /// names it.
-/// Guarantee: exact. The finding shows the channel with the largest bias; for a one-sided claim,
-/// the largest in the excluded direction. Throws std::invalid_argument for no references, or for
-/// one that cannot be tested.
+/// Guarantee: exact; with a tail slack, exact given its tail. The finding shows the channel that
+/// failed, and names it; of channels with one verdict, one whose interval excludes 0, then the
+/// largest bias in an excluded direction. Throws
+/// std::invalid_argument for no references, or for one that cannot be tested.
 Finding test_means(const Trial& trial, const std::vector<Reference>& references, const DrawBlock& draw_block);
 
 /// The same, one finding per channel. A draw outside its range ends the test; every channel then
@@ -52,7 +53,7 @@ Finding test_means(const Trial& trial, const std::vector<Reference>& references,
 std::vector<Finding> test_each_mean(const Trial& trial, const std::vector<Reference>& references,
                                     const DrawBlock& draw_block);
 
-/// One finding for all channels: that of the largest bias, with the worst verdict and the largest
+/// One finding for all channels: that of the worst verdict, as test_means shows it, with the largest
 /// number of draws.
 Finding worst_of(const std::vector<Finding>& channels);
 

@@ -136,8 +136,9 @@ bool Rosenblatt::rules_differ(double s) const {
 }
 
 Rosenblatt::Slab Rosenblatt::slab_of(double low, double high, bool steep) const {
-  constexpr double inside = 1e-9;
   const double width = high - low;
+  // Inside also where the slab is a few thousand ulp wide, as at a pole.
+  const double inside = std::max(1e-9, 4e-16 * high / width);
   const auto marginal = [&](double x) { return pieces_at(low + x * width, steep).back() * width; };
   Slab slab{low, width, 0, marginal(inside), marginal(1 - inside), 0, {}, false, steep};
   for (std::size_t j = 0; j < nodes; ++j) {

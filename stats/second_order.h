@@ -22,13 +22,12 @@ struct BoundedEstimator {
 Finding test_variance(const Trial& trial, double variance, const BoundedEstimator& estimator,
                       Sides sides = Sides::both);
 
-/// Tests that Var A <= ratio Var B; a ratio below 1 shows by how much A is better. Certified when
-/// Var A < (1 + margin) ratio Var B. A discarded pilot estimates ratio Var B, the scale of the
-/// margin: alpha does not depend on it, but what is certified is a difference below the margin
-/// times that scale.
-/// Bias and interval are those of Var A / (ratio Var B) - 1; an interval that reaches 0 is open
-/// below. Throws std::invalid_argument for a ratio that is not positive, or when the pilot shows no
-/// variance in B.
+/// Tests that Var A <= ratio Var B; a ratio below 1 shows by how much A is better. Refuted by bets on
+/// E[a - ratio b] > 0, certified by bets on E[a - (1 + margin) ratio b] < 0, which is Var A < (1 +
+/// margin) ratio Var B: no scale is estimated. Guarantee: exact. Bias and interval are those of
+/// Var A / (ratio Var B) - 1, each end wrong with at most 2.5 beta; an interval that reaches 0 is open
+/// below. Undecided, with a note, if B shows no variance. Throws std::invalid_argument for a ratio
+/// that is not positive.
 Finding test_variance_ratio(const Trial& trial, double ratio, const BoundedEstimator& a, const BoundedEstimator& b);
 
 /// Tests that two streams with known means are uncorrelated: E[(A - mean_a)(B - mean_b)] = 0,

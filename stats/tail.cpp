@@ -25,13 +25,16 @@ void LargestScores::add(std::span<const double> draws) {
   }
 }
 
-double LargestScores::slope() const {
+double LargestScores::slope(std::size_t k) const {
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr std::size_t fewest = 25;
-  if (heap_.size() < fewest || heap_.front() == 0) return none;
+  std::vector<double> largest = heap_;
+  std::ranges::sort(largest, std::greater<>());
+  largest.resize(std::min(k, largest.size()));
+  if (largest.size() < fewest || largest.back() == 0) return none;
   double sum = 0;
-  for (double score : heap_) sum += std::log(score / heap_.front());
-  return sum == 0 ? none : 1 + static_cast<double>(heap_.size() - 1) / sum;
+  for (double score : largest) sum += std::log(score / largest.back());
+  return sum == 0 ? none : 1 + static_cast<double>(largest.size() - 1) / sum;
 }
 
 }  // namespace fairlight

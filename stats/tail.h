@@ -18,7 +18,9 @@ class LargestScores {
   /// The exponent s of a density that falls like x^-s, by Hill's estimator from the kept scores;
   /// the variance is finite for s > 3. Infinity for fewer than 25 scores or for equal ones. Source:
   /// Hill 1975; MCNP's tenth test (Forster, Booth, Pederson 1992) also requires s > 3.
-  double slope() const;
+  double slope() const { return slope(keep_); }
+  /// The same from the `k` largest of these alone.
+  double slope(std::size_t k) const;
 
  private:
   std::size_t keep_;

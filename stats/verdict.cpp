@@ -20,6 +20,8 @@ const char* name(Guarantee guarantee) {
       return "deterministic";
     case Guarantee::exact:
       return "exact";
+    case Guarantee::exact_given_tail:
+      return "exact, given its tail";
     case Guarantee::asymptotic:
       break;
   }

@@ -16,7 +16,9 @@ enum class Verdict {
 enum class Guarantee {
   deterministic,  ///< no randomness: an identity that was checked
   exact,          ///< holds at any number of draws, by Ville's inequality
-  asymptotic,     ///< holds in the limit of many draws, under the conditions that the test states
+  /// The same, if a declared tail or variance is right, which no draw can show: it is taken on trust.
+  exact_given_tail,
+  asymptotic,  ///< holds in the limit of many draws, under the conditions that the test states
 };
 
 /// A closed interval [lo, hi], whose ends may be infinite.

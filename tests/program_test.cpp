@@ -33,6 +33,7 @@ TEST(Program, RefusesBadInputInOneSentence) {
   expect_bad_input(small + "--spp 1 -o a.exr --png a.exr", "same file");
   expect_bad_input(small + "--spp 1 -o ./a.exr --json a.exr", "same file");
   expect_bad_input("verify --list > /dev/full", "standard output");
+  expect_bad_input("render --help > /dev/full", "standard output");
   expect_bad_input("render cornel --spp 1 -o a.exr", "cornell-simple");
   expect_bad_input("render halway --spp 1 -o a.exr", "did you mean hallway? see fairlight scenes");
   expect_bad_input("render cornell-simple --spp 1", "-o");

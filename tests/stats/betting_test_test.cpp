@@ -134,8 +134,9 @@ TEST(BettingTest, RefusesAHypothesisThatCannotBeTested) {
   EXPECT_THROW(BettingTest({0.5, -0.1, 0, 1}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0.45, 1}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 0.55}, alpha, beta), std::invalid_argument);
-  EXPECT_THROW(BettingTest({0.5, 0.1, 0, std::numeric_limits<double>::infinity()}, alpha, beta),
-               std::invalid_argument);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(BettingTest({0.5, 0.1, -infinite, infinite}, alpha, beta), std::invalid_argument);
+  EXPECT_THROW(BettingTest({0.5, 0.1, std::nan(""), 1}, alpha, beta), std::invalid_argument);
   EXPECT_THROW(BettingTest({0.5, 0.1, -6e99, 6e99}, alpha, beta), std::invalid_argument);  // its cubes overflow
   EXPECT_NO_THROW(BettingTest({0.5, 0.1, -4e99, 4e99}, alpha, beta));
   EXPECT_THROW(BettingTest({0.5, 0.1, 0, 1, 0.2}, alpha, beta), std::invalid_argument);
@@ -182,8 +183,9 @@ RC_GTEST_PROP(BettingTest, BetsByThePastAlone, ()) {
   RC_ASSERT(is_fair(&Wealth::above_lower_margin, mean - margin));
 }
 
-// An eighth of the draws before it, up to 0.9 variance / (margin range) with the range from the
-// mean: 0.9 / 4 / (0.01 / 2).
+// With the range from the mean, 1/2, and the standard deviation, 1/2: up to 0.9 sqrt(n) / 2, where
+// their bets for two standard errors would be capped, and up to 0.9 / 4 / (0.01 / 2), where those
+// for the margin would.
 TEST(BettingTest, LetsBlocksGrowUpToWhereTheirBetsWouldBeCapped) {
   BettingTest test(coin(0.01), alpha, beta);
   const auto size_after = [&](int draws) {
@@ -191,10 +193,28 @@ TEST(BettingTest, LetsBlocksGrowUpToWhereTheirBetsWouldBeCapped) {
     return test.block_size();
   };
   EXPECT_EQ(size_after(0), 1u);
-  EXPECT_EQ(size_after(14), 1u);
-  EXPECT_EQ(size_after(16), 2u);
-  EXPECT_EQ(size_after(80), 10u);
-  EXPECT_EQ(size_after(1000), 45u);
+  EXPECT_EQ(size_after(16), 1u);
+  EXPECT_EQ(size_after(100), 4u);
+  EXPECT_EQ(size_after(1000), 14u);
+  EXPECT_EQ(size_after(10100), 45u);
+}
+
+// Zeros and ones in turn, of mean 1/2: what needs the end that is missing is neither bet on nor shown.
+TEST(BettingTest, OfARangeWithOneEndShowsWhatNeedsThatEnd) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto after = [](double mean, double lower, double upper) {
+    BettingTest test({mean, 0.05, lower, upper}, alpha, beta);
+    for (int i = 0; i < 5000; ++i) test.add(std::vector<double>{0, 1});
+    return test;
+  };
+  EXPECT_EQ(after(0.4, 0, infinite).verdict(), Verdict::biased);
+  EXPECT_EQ(after(0.6, -infinite, 1).verdict(), Verdict::biased);
+  for (const BettingTest& open : {after(0.6, 0, infinite), after(0.5, 0, infinite), after(0.4, -infinite, 1)}) {
+    EXPECT_EQ(open.verdict(), Verdict::undecided);
+  }
+  EXPECT_EQ(after(0.5, 0, infinite).wealth().below_reference, 0);
+  EXPECT_EQ(after(0.5, 0, infinite).interval().hi, infinite);
+  EXPECT_GT(after(0.5, 0, infinite).interval().lo, 0.4);
 }
 
 // The probability of a verdict within n tosses of a coin, by going through all 2^n of them.

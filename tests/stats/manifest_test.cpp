@@ -19,6 +19,18 @@ TEST(Manifest, GivesAClaimItsShareItsSeedAndItsMargin) {
   EXPECT_DOUBLE_EQ(trial.margin, 0.05);
 }
 
+TEST(Manifest, KeepsAPartOfTheBudgetForWhatClaimsShowTogether) {
+  Manifest::Terms joint = terms;
+  joint.joint_part = 0.1;
+  const Manifest manifest({{"a"}, {"b"}}, joint);
+  EXPECT_DOUBLE_EQ(manifest.trial("a").alpha, 0.45e-4);
+  EXPECT_DOUBLE_EQ(manifest.joint_level(5), 0.02e-4);
+  for (double wrong : {-0.1, 1.0}) {
+    joint.joint_part = wrong;
+    EXPECT_THROW(Manifest({{"a"}}, joint), std::invalid_argument) << wrong;
+  }
+}
+
 TEST(Manifest, AsksNoClaimForMoreThanItCanShow) {
   const Manifest manifest({{"a", 1, 1, 0.02}, {"b", 1, 5, 0.02}}, terms);  // of a run that asks for 0.01
   EXPECT_EQ(manifest.trial("a").margin, 0.02);

@@ -18,6 +18,7 @@ TEST(Verdict, HasTheNamesOfTheContract) {
   EXPECT_STREQ(name(Verdict::undecided), "undecided");
   EXPECT_STREQ(name(Guarantee::deterministic), "deterministic");
   EXPECT_STREQ(name(Guarantee::exact), "exact");
+  EXPECT_STREQ(name(Guarantee::exact_given_tail), "exact, given its tail");
   EXPECT_STREQ(name(Guarantee::asymptotic), "asymptotic");
 }
 

@@ -4,28 +4,11 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <support/temporary_folder.h>
-#include <sys/wait.h>
+#include <support/shell.h>
 
 /// Runs the program as a user does, to check its exit status, its one sentence on standard error,
 /// and that it leaves no incomplete file.
 namespace fairlight::testing {
-
-struct Result {
-  int status;
-  std::string out, error;
-};
-
-inline Result shell(const std::string& command, const TemporaryFolder& folder) {
-  const std::string out = folder / "stdout";
-  const std::string error = folder / "stderr";
-  const int status =
-      std::system(("cd '" + folder.path().string() + "' && { " + command + "; } >stdout 2>stderr").c_str());
-  const Result run{WEXITSTATUS(status), read_file(out), read_file(error)};
-  std::filesystem::remove(out);
-  std::filesystem::remove(error);
-  return run;
-}
 
 inline Result fairlight(const std::string& arguments, const TemporaryFolder& folder) {
   return shell(FAIRLIGHT_PROGRAM " " + arguments, folder);

@@ -84,7 +84,9 @@ TEST(Markdown, ShowsAFailureWithItsPictureByARelativeLink) {
   wrong.finding.note = "why so";
   const std::vector<Outcome> outcomes{run("importance.cosine"), wrong};
   const auto pictures = write_artifacts(folder / "seen", wrong, seen);
+  const std::vector<ComponentOutcome> components{{"Mirror", "sse2", 3, Verdict::certified, false, 2e-4}};
   const std::string page = markdown({outcomes,
+                                     components,
                                      seen,
                                      2,
                                      "again and again",
@@ -92,15 +94,15 @@ TEST(Markdown, ShowsAFailureWithItsPictureByARelativeLink) {
                                      {{"pick.one.dice", pictures}}},
                                     folder / "report.md");
   EXPECT_TRUE(page.starts_with("# fairlight verify: biased\n")) << page;
-  for (const char* text :
-       {"## pick.one.dice: biased", "why so", "(seen/pick.one.dice/wealth", "(seen/intervals.png)",
-        "fairlight verify pick.one.dice --seed 0000000000000003-", "again and again",
-        "| importance.cosine.cosine_squared | certified |", "`0000000000000003`"}) {
+  for (const char* text : {"## pick.one.dice: biased", "why so", "(seen/pick.one.dice/wealth",
+                           "(seen/intervals.png)", "fairlight verify pick.one.dice --seed 0000000000000003-",
+                           "again and again", "| importance.cosine.cosine_squared | certified |",
+                           "| Mirror | sse2 | 3 | certified | below 2.0e-04 |", "`0000000000000003`"}) {
     EXPECT_NE(page.find(text), std::string::npos) << text << "\n" << page;
   }
   EXPECT_NE(page.find("is between "), std::string::npos) << page;
   EXPECT_EQ(page.find("## importance.cosine"), std::string::npos);
-  const std::string plain = markdown({outcomes, seen, 2, "again", "", {}}, folder / "report.md");
+  const std::string plain = markdown({outcomes, {}, seen, 2, "again", "", {}}, folder / "report.md");
   EXPECT_NE(plain.find("## pick.one.dice: biased"), std::string::npos) << "a failure is shown without pictures too";
   EXPECT_EQ(plain.find("]("), std::string::npos) << plain;
 }
@@ -109,7 +111,7 @@ TEST(Markdown, SaysOnWhichSideAnIntervalIsOpen) {
   const auto page_of = [](Interval interval) {
     const std::vector<Outcome> outcomes{
         {&registry()[0], {Verdict::biased, Guarantee::exact, 0.02, 0, interval}, 1}};
-    return markdown({outcomes, seen, 2, "again", "", {}}, "report.md");
+    return markdown({outcomes, {}, seen, 2, "again", "", {}}, "report.md");
   };
   const auto holds = [](const std::string& page, const std::string& part) {
     EXPECT_NE(page.find(part), std::string::npos) << page;

@@ -166,6 +166,15 @@ TEST(CheckConstant, AllowsAFewUlpAndNoMore) {
   EXPECT_EQ(check_constant(trial, 1, 2, [](auto&) { return std::nan(""); }).verdict, Verdict::biased);
 }
 
+// A sample shows that few draws are off, not that none is.
+TEST(CheckConstant, SaysWhatShareOfDrawsItShows) {
+  const Finding right = check_constant(trial, 1, 1, [](auto&) { return 1.0; });
+  EXPECT_EQ(right.guarantee, Guarantee::exact);
+  EXPECT_EQ(right.note, "all draws but a share of 4.5e-05, at a miss rate of 1 %");
+  const Finding wrong = check_constant(trial, 1, 1, [](auto&) { return 2.0; });
+  EXPECT_EQ(wrong.guarantee, Guarantee::deterministic) << "one draw refutes it";
+}
+
 // A hemisphere whose density is wrong by a factor, or which strays below the horizon.
 struct Doubled : CosineHemisphere<double> {
   Density<SolidAngle, double> pdf(const Vec3<double>& w) const {

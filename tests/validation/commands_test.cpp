@@ -52,7 +52,7 @@ TEST(Commands, AreAllThere) {
   for (const CLI::App* app : all_commands(program.app)) names.insert(full_name(*app));
   for (const char* name :
        {"verify", "audit", "audit calibration", "audit power", "audit faults", "audit mutate", "audit judges",
-        "audit ledger", "ledger", "ledger show", "ledger merge", "render", "merge", "scenes"})
+        "audit ledger", "compare", "ledger", "ledger show", "ledger merge", "render", "merge", "scenes"})
     EXPECT_TRUE(names.contains("fairlight " + std::string(name))) << name;
 }
 
@@ -102,7 +102,8 @@ TEST(Commands, TakeFloatingNumbersByOneCheck) {
         EXPECT_THAT(Program().problem(command + " " + value), HasSubstr(option->get_name() + ": \"")) << name;
     }
   }
-  EXPECT_EQ(numbers, 8) << "verify has three, render three, audit judges and audit mutate one each";
+  EXPECT_EQ(numbers, 13)
+      << "compare has five, verify and render three each, audit judges and audit mutate one each";
 }
 
 TEST(UsageProblem, NamesTheNearestOptionOrCommandAndHelp) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 #include <support/temporary_folder.h>
 
@@ -25,6 +27,12 @@ RunOptions with_seed(std::uint64_t seed) {
   return run_options;
 }
 
+// Adds a run without components.
+void add(LedgerRun& run, std::vector<Outcome>& outcomes, std::uint64_t seed) {
+  std::vector<ComponentOutcome> none;
+  run.add(outcomes, none, with_seed(seed));
+}
+
 std::string summary(const LedgerRun& run) {
   std::FILE* file = std::tmpfile();
   run.print(file);
@@ -41,7 +49,7 @@ TEST(LedgerRun, CallsAClaimBiasedWhenItsRunsTogetherAre) {
   LedgerRun run(folder / "l", {&claim()}, this_build());
   for (std::uint64_t seed : {1u, 2u, 2u, 3u}) {
     auto outcomes = outcome_of(9, 1);
-    run.add(outcomes, with_seed(seed));
+    add(run, outcomes, seed);
     EXPECT_EQ(outcomes[0].finding.verdict, seed < 3 ? Verdict::certified : Verdict::biased) << seed;
     EXPECT_EQ(outcomes[0].finding.note.find("3 runs") != std::string::npos, seed == 3) << outcomes[0].finding.note;
   }
@@ -58,18 +66,41 @@ TEST(LedgerRun, KeepsInstructionSetsApart) {
   outcomes.push_back(outcomes[0]);
   outcomes[0].claim = &sse2;
   outcomes[1].claim = &avx2;
-  run.add(outcomes, with_seed(1));
+  add(run, outcomes, 1);
   EXPECT_EQ(outcomes[0].ledger->runs, 1);
   EXPECT_EQ(outcomes[1].ledger->runs, 1);
+}
+
+// Five runs of a claim show 15, less than a claim or a component is asked for; with three of another, 24.
+TEST(LedgerRun, JudgesAComponentByAllItsClaims) {
+  const std::string name = "CosineHemisphere";
+  std::vector<const Claim*> claims;
+  for (const Claim& each : registry()) {
+    if (each.adds_up && std::ranges::find(each.subjects, name) != each.subjects.end()) claims.push_back(&each);
+  }
+  ASSERT_GE(claims.size(), 2u);
+  const TemporaryFolder folder;
+  LedgerRun run(folder / "l", {claims[0]}, this_build());
+  for (std::size_t c : {0u, 1u}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      auto outcomes = outcome_of(3, 1);
+      outcomes[0].claim = claims[c];
+      std::vector<ComponentOutcome> components{{name, claims[0]->instructions, 2, Verdict::certified, false, 0.01}};
+      run.add(outcomes, components, with_seed(seed));
+      EXPECT_EQ(outcomes[0].finding.verdict, Verdict::certified);
+      EXPECT_EQ(components[0].verdict == Verdict::biased, c == 1 && seed >= 3) << c << " " << seed;
+      EXPECT_EQ(components[0].ledger->runs, c == 0 ? seed : 5);
+    }
+  }
 }
 
 TEST(LedgerRun, SaysHowMuchFinerAMarginIsCertified) {
   const TemporaryFolder folder;
   LedgerRun run(folder / "l", {&claim()}, this_build());
   auto outcomes = outcome_of(0, 3);
-  run.add(outcomes, with_seed(1));
+  add(run, outcomes, 1);
   EXPECT_NE(summary(run).find("1 runs: 0 of 1 claims"), std::string::npos) << summary(run);
-  run.add(outcomes, with_seed(2));
+  add(run, outcomes, 2);
   EXPECT_NE(summary(run).find("2 runs: 1 of 1 claims"), std::string::npos) << summary(run);
   EXPECT_EQ(outcomes[0].ledger->runs, 2);
   EXPECT_LT(outcomes[0].ledger->margin, 0.01 * claim().margin_factor);
@@ -79,7 +110,7 @@ TEST(LedgerRun, LeavesOutWhatHasNoEvidence) {
   const TemporaryFolder folder;
   LedgerRun run(folder / "l", {&claim()}, this_build());
   std::vector<Outcome> outcomes{{&claim(), {}, 0}};
-  run.add(outcomes, with_seed(1));
+  add(run, outcomes, 1);
   EXPECT_NE(summary(run).find("no claim"), std::string::npos) << summary(run);
   EXPECT_EQ(folder.files(), 0);
 }

@@ -87,6 +87,26 @@ TEST(PacketControlVariate, AddsUpThePartsOfAChannel) {
   EXPECT_GE(finding.interval.hi, 0.005);
 }
 
+// Of the difference nothing was drawn, so nothing is known of the mean in double, which is off.
+TEST(PacketControlVariate, KnowsNothingOfTheMeanInDoubleBeforeTheDifferenceIsDrawn) {
+  Trial stopped = trial;
+  int looks = 0;
+  stopped.watch = [&looks](double) { return ++looks < 3; };
+  const Finding finding = PacketControlVariate(stopped, two, paired(ramp(0, 0.5))).finding({});
+  ASSERT_EQ(finding.verdict, Verdict::undecided);
+  EXPECT_EQ(finding.interval.lo, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(finding.interval.hi, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(finding.note, std::string("tested in packets: ") + told_to_end);
+}
+
+// Where the difference fails, the figures are its own, and exclude 0.
+TEST(PacketControlVariate, ShowsTheFiguresOfTheDifferenceThatFails) {
+  const Finding finding = PacketControlVariate(trial, two, paired(ramp(0, 0.006))).finding({});
+  ASSERT_EQ(finding.verdict, Verdict::biased) << finding.note;
+  EXPECT_GT(finding.interval.lo, 0);
+  EXPECT_LT(finding.interval.hi, 0.01);
+}
+
 // Neither twice its range is out of the question for a difference, nor a number that is not finite.
 TEST(PacketControlVariate, NamesADrawInDoubleThatIsOutOfItsRange) {
   for (const double value : {-0.1, 4.1, std::numeric_limits<double>::infinity(), std::nan("")}) {

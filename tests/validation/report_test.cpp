@@ -194,6 +194,32 @@ TEST(Table, ShowsOfAGroupTheEndsThatClaimsExclude) {
   holds(row_of_group(Verdict::undecided, {-infinite, infinite}, {-5e-4, 9e-4}), "     open       open");
 }
 
+const ComponentOutcome cosine{"CosineHemisphere", "avx2", 41, Verdict::certified, false, 2e-4};
+const ComponentOutcome bright{"Mirror", "avx2", 3, Verdict::biased, true, infinite};
+
+TEST(Components, HaveARowEachTheWorstFirst) {
+  std::FILE* file = std::tmpfile();
+  print_components(file, {cosine, bright}, run_options);
+  print_components(file, {}, run_options);
+  std::string text(static_cast<std::size_t>(std::ftell(file)), ' ');
+  std::rewind(file);
+  EXPECT_EQ(std::fread(text.data(), 1, text.size(), file), text.size());
+  std::fclose(file);
+  EXPECT_EQ(lines(text), 3) << text;
+  EXPECT_LT(text.find("Mirror"), text.find("CosineHemisphere")) << text;
+  EXPECT_NE(text.find("41  certified  below 2.0e-04\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("3  biased     found: the means are too high\n"), std::string::npos) << text;
+}
+
+TEST(Components, AreInTheJsonAndInItsVerdict) {
+  const auto json = outcomes_json({outcome(Verdict::certified)}, {cosine, bright}, run_options, 2);
+  EXPECT_EQ(json["verdict"], "biased") << "a component is";
+  EXPECT_EQ(json["components"][0]["name"], "CosineHemisphere");
+  EXPECT_EQ(json["components"][0]["claims"], 41);
+  EXPECT_EQ(json["components"][0]["margin"], 2e-4);
+  EXPECT_EQ(nlohmann::json::parse(json.dump())["components"][1]["margin"].dump(), "null");
+}
+
 TEST(ListOf, NamesTheFirstAndCountsTheOthers) {
   EXPECT_EQ(list_of({}, 3), "");
   EXPECT_EQ(list_of({"a"}, 3), "a");
@@ -211,8 +237,8 @@ TEST(Report, HasNullForAnEndThatIsOpen) {
 }
 
 TEST(Report, HasTheFieldsOfTheContractAsJson) {
-  const auto json = outcomes_json({outcome(Verdict::biased)}, run_options, 2);
-  for (const char* key : {"version", "seed", "budget", "seconds", "verdict", "claims"})
+  const auto json = outcomes_json({outcome(Verdict::biased)}, {}, run_options, 2);
+  for (const char* key : {"version", "seed", "budget", "seconds", "verdict", "claims", "components"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["verdict"], "biased");
   const auto& claim = json["claims"][0];

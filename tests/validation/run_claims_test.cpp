@@ -20,7 +20,7 @@ TEST(ManifestOf, GivesAClaimItsShareWhateverElseRuns) {
   double sum = 0;
   const Manifest manifest = manifest_of(quick);
   for (const Claim& claim : registry()) sum += manifest.trial(claim.name).alpha;
-  EXPECT_NEAR(sum, 1e-6, 1e-18);
+  EXPECT_NEAR(sum, 0.9e-6, 1e-18) << "a tenth is for components";
 }
 
 TEST(ManifestOf, RefusesAClaimOutsideTheRegistry) {

@@ -61,6 +61,10 @@ void add_commands(CLI::App& program, Command& command) {
   add_audit_command(program, command);
   add_ledger_command(program, command);
   add_render_commands(program, command);
+  add_compare_command(program, command);
+  add_judge_command(program, command);
+  add_plan_command(program, command);
+  add_study_command(program, command);
   add_examples(program,
                {"fairlight verify hemisphere", "fairlight render cornell-simple --spp 64 -o box.exr --png box.png",
                 "fairlight render --help"});

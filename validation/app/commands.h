@@ -7,6 +7,14 @@ namespace fairlight {
 /// Adds `verify` to the program.
 void add_verify_command(CLI::App& program, Command& command);
 
+/// Adds `compare` to the program.
+void add_compare_command(CLI::App& program, Command& command);
+/// Adds `judge`, which tests numbers on standard input, to the program.
+void add_judge_command(CLI::App& program, Command& command);
+
+/// Adds `plan`, the number of draws of a test of a mean, to the program.
+void add_plan_command(CLI::App& program, Command& command);
+
 /// Adds `ledger` to the program.
 void add_ledger_command(CLI::App& program, Command& command);
 
@@ -21,6 +29,9 @@ void add_domains_command(CLI::App& audit, Command& command);
 
 /// Adds `audit` to the program.
 void add_audit_command(CLI::App& program, Command& command);
+
+/// Adds `study` to the program.
+void add_study_command(CLI::App& program, Command& command);
 
 /// Sets the name of the program, and adds all its commands with their help.
 void add_commands(CLI::App& program, Command& command);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int bad_input = 2;
 
-int run(int argc, char** argv) {
+/// Answers the command line, and returns the exit status.
+int answer(int argc, char** argv) {
   CLI::App program;
   program.set_version_flag("--version", fairlight::version, "Print the version.")->group("Help");
   fairlight::Command command;
@@ -24,7 +25,11 @@ int run(int argc, char** argv) {
     throw std::invalid_argument(fairlight::usage_problem(program, error));
   }
   if (!command) throw std::invalid_argument(fairlight::no_command(program));
-  const int status = command();
+  return command();
+}
+
+int run(int argc, char** argv) {
+  const int status = answer(argc, argv);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output cannot be written");
   return status;

@@ -19,7 +19,7 @@ namespace fairlight {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TesterOutcome, name, runs, failures, limit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CostOutcome, law, draws_per_cv2)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerOutcome, bias, runs, runs_certified, runs_biased, ledgers, ledgers_biased,
-                                   median_finer)
+                                   ledgers_wrong, median_finer)
 
 namespace {
 
@@ -118,13 +118,13 @@ int ledger(const TesterOptions& options) {
   const TesterAudit audit = options.audit();
   const auto outcomes = audit_ledger(audit, progress_bar("ledger"));
   std::printf("ledgers of 100 runs at the margin 0.05, level 1e-8, miss rate 0.01\n");
-  std::printf("%18s %10s %12s %14s %10s %14s %8s\n", "bias, of a margin", "runs", "certified", "biased alone",
-              "ledgers", "biased ledgers", "finer");
+  std::printf("%18s %10s %12s %14s %10s %14s %8s %8s\n", "bias, of a margin", "runs", "certified", "biased alone",
+              "ledgers", "biased ledgers", "wrong", "finer");
   bool passed = true;
   for (const LedgerOutcome& o : outcomes) {
     passed = passed && o.passed();
-    std::printf("%18.3f %10d %12d %14d %10d %14d %8.1f%s\n", o.bias, o.runs, o.runs_certified, o.runs_biased,
-                o.ledgers, o.ledgers_biased, o.median_finer, o.passed() ? "" : "  <- wrong");
+    std::printf("%18.3f %10d %12d %14d %10d %14d %8d %8.1f%s\n", o.bias, o.runs, o.runs_certified, o.runs_biased,
+                o.ledgers, o.ledgers_biased, o.ledgers_wrong, o.median_finer, o.passed() ? "" : "  <- wrong");
   }
   return conclude(options, audit, {{"ledgers", outcomes}}, passed);
 }

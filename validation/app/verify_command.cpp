@@ -52,9 +52,10 @@ void print_depth(const std::vector<Outcome>& outcomes, const RunOptions& run_opt
     return std::count_if(outcomes.begin(), outcomes.end(),
                          [=](const Outcome& outcome) { return outcome.finding.guarantee == guarantee; });
   };
-  std::printf("guarantees: %td exact, %td asymptotic (each says why), %td deterministic\n",
-              resting_on(Guarantee::exact), resting_on(Guarantee::asymptotic),
-              resting_on(Guarantee::deterministic));
+  std::printf(
+      "guarantees: %td exact, %td exact given their tails, %td asymptotic (each says why), %td deterministic\n",
+      resting_on(Guarantee::exact), resting_on(Guarantee::exact_given_tail), resting_on(Guarantee::asymptotic),
+      resting_on(Guarantee::deterministic));
   std::printf("deeper: --margin %.0e takes at most 100 times as long, here %.0f min\n",
               run_options.terms.margin / 10, std::ceil(100 * seconds / 60));
 }
@@ -67,8 +68,18 @@ std::string names_of_failures(const std::vector<Outcome>& outcomes, const RunOpt
   return list_of(names, 5);
 }
 
-void print_verdict(const std::vector<Outcome>& outcomes, const RunOptions& run_options, double seconds) {
-  const Verdict verdict = overall(outcomes);
+// The names of the components that are biased.
+std::vector<std::string> biased_of(const std::vector<ComponentOutcome>& components) {
+  std::vector<std::string> names;
+  for (const ComponentOutcome& component : components) {
+    if (component.verdict == Verdict::biased) names.push_back(component.name);
+  }
+  return names;
+}
+
+void print_verdict(const std::vector<Outcome>& outcomes, const std::vector<ComponentOutcome>& components,
+                   const RunOptions& run_options, double seconds) {
+  const Verdict verdict = overall(outcomes, components);
   const auto passed = std::ranges::count_if(outcomes, certified);
   const auto failures = std::ranges::count_if(outcomes, failed);
   const auto late = static_cast<std::ptrdiff_t>(outcomes.size()) - passed - failures;
@@ -76,6 +87,8 @@ void print_verdict(const std::vector<Outcome>& outcomes, const RunOptions& run_o
     std::printf("certified: all of %zu claims hold to within their margins", outcomes.size());
   } else if (failures > 0) {
     std::printf("%s: %td of %zu claims failed", name(verdict), failures, outcomes.size());
+  } else if (verdict == Verdict::biased) {
+    std::printf("biased: no claim alone, but the claims of a component together");
   } else {
     std::printf("undecided: %td of %zu claims hold to within their margins", passed, outcomes.size());
   }
@@ -84,6 +97,8 @@ void print_verdict(const std::vector<Outcome>& outcomes, const RunOptions& run_o
               instruction_list(outcomes).c_str(), seconds, seed_text(run_options.terms.seed).c_str(),
               run_options.terms.budget, run_options.terms.beta);
   if (failures > 0) std::printf("failed: %s\n", names_of_failures(outcomes, run_options).c_str());
+  if (const auto biased = biased_of(components); !biased.empty())
+    std::printf("components biased: %s\n", list_of(biased, 5).c_str());
   if (verdict == Verdict::certified) print_depth(outcomes, run_options, seconds);
 }
 
@@ -117,6 +132,15 @@ void check_outputs(const VerifyOptions& options) {
   require_different({{"--json", options.json}, {"--report", options.report}, {"--ledger", options.ledger}});
 }
 
+// Whoever chooses the numbers of a run may choose what it shows, and a ledger adds up what fresh numbers
+// show.
+void check_ledger_options(const VerifyOptions& options) {
+  if (options.ledger.empty() || options.seed.empty()) return;
+  throw std::invalid_argument(
+      "--seed and --ledger exclude each other (numbers that were chosen, or seen before, are no new evidence; "
+      "leave one out)");
+}
+
 // Writes the artifacts of each claim that failed, and of each that the user gave by its whole name.
 std::map<std::string, std::vector<std::string>> write_all_artifacts(const VerifyOptions& options,
                                                                     const std::vector<Outcome>& outcomes,
@@ -131,8 +155,8 @@ std::map<std::string, std::vector<std::string>> write_all_artifacts(const Verify
 }
 
 void write_outputs(const VerifyOptions& options, const std::vector<Outcome>& outcomes,
-                   const RunOptions& run_options, double seconds) {
-  if (!options.json.empty()) write_json(options.json, outcomes_json(outcomes, run_options, seconds));
+                   const std::vector<ComponentOutcome>& components, const RunOptions& run_options, double seconds) {
+  if (!options.json.empty()) write_json(options.json, outcomes_json(outcomes, components, run_options, seconds));
   const std::string folder = artifact_folder(options);
   if (folder.empty()) return;
   const auto pictures = write_all_artifacts(options, outcomes, run_options);
@@ -142,9 +166,9 @@ void write_outputs(const VerifyOptions& options, const std::vector<Outcome>& out
                                                [](const std::string& all, const std::string& claim) {
                                                  return all + (all.empty() ? "" : " ") + "'" + claim + "'";
                                                });
-    write_whole(options.report,
-                markdown({outcomes, run_options, seconds, replay_run(claims, run_options), overview, pictures},
-                         options.report));
+    write_whole(options.report, markdown({outcomes, components, run_options, seconds,
+                                          replay_run(claims, run_options), overview, pictures},
+                                         options.report));
   }
 }
 
@@ -168,18 +192,21 @@ int verify(const VerifyOptions& options) {
   if (claims.empty()) return 0;
   run_options.terms.seed = options.seed.empty() ? fresh_seed() : parse_replay_token(options.seed);
   check_outputs(options);
+  check_ledger_options(options);
   std::optional<LedgerRun> ledger;
   if (!options.ledger.empty()) ledger.emplace(options.ledger, claims, this_build());
   run_options.evidence = ledger.has_value() || !artifact_folder(options).empty();
   const auto start = std::chrono::steady_clock::now();
   std::vector<Outcome> outcomes = run_claims(claims, run_options, progress_bar("verify"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (ledger) ledger->add(outcomes, run_options);
-  write_outputs(options, outcomes, run_options, seconds);
+  std::vector<ComponentOutcome> components = component_outcomes(outcomes, run_options);
+  if (ledger) ledger->add(outcomes, components, run_options);
+  write_outputs(options, outcomes, components, run_options, seconds);
   print_outcomes(stdout, outcomes, run_options, options.all ? Rows::all : Rows::grouped);
-  print_verdict(outcomes, run_options, seconds);
+  print_components(stdout, components, run_options);
+  print_verdict(outcomes, components, run_options, seconds);
   if (ledger) ledger->print(stdout);
-  return exit_status(overall(outcomes));
+  return exit_status(overall(outcomes, components));
 }
 
 void add_selection(CLI::App& app, VerifyOptions& options) {

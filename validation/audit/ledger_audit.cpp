@@ -14,6 +14,7 @@ constexpr double margin = 0.05;
 constexpr double alpha = 1e-8;
 constexpr double beta = 0.01;
 constexpr double a_third = 1.0 / 3;
+constexpr double on_the_grid = 0.3125;  // of the margin: 1/64
 
 struct Fate {
   int runs_biased = 0;
@@ -40,13 +41,14 @@ Fate fate_of(std::uint64_t seed, double bias) {
 }
 
 LedgerOutcome outcome_of(double bias, const std::vector<Fate>& fates) {
-  LedgerOutcome outcome{bias, 0, 0, 0, static_cast<int>(fates.size()), 0, 0};
+  LedgerOutcome outcome{bias, 0, 0, 0, static_cast<int>(fates.size()), 0, 0, 0};
   std::vector<double> finer;
   for (const Fate& fate : fates) {
     outcome.runs += runs_a_ledger;
     outcome.runs_biased += fate.runs_biased;
     outcome.runs_certified += fate.runs_certified;
     outcome.ledgers_biased += fate.biased ? 1 : 0;
+    outcome.ledgers_wrong += bias > 0 && 1 / fate.finer <= bias ? 1 : 0;
     finer.push_back(fate.finer);
   }
   std::ranges::sort(finer);
@@ -67,12 +69,13 @@ LeavingRun run_for_sum(const Trial& trial, double bias) {
 }
 
 bool LedgerOutcome::passed() const {
+  if (ledgers_wrong > binomial_limit(ledgers, beta)) return false;
   if (bias == 0) return median_finer >= 8 && ledgers_biased == 0;
   return bias < a_third || (ledgers_biased == ledgers && 2 * runs_certified > runs);
 }
 
 std::vector<LedgerOutcome> audit_ledger(const TesterAudit& audit, const Progress& progress) {
-  const std::vector<double> biases{0, 1.0 / 6, 1.0 / 4, a_third};
+  const std::vector<double> biases{0, 1.0 / 6, 1.0 / 4, on_the_grid, a_third};
   const auto ledgers = static_cast<std::size_t>(audit.power_seeds);
   std::vector<std::vector<Fate>> fates(biases.size(), std::vector<Fate>(ledgers));
   const auto one = [&](std::size_t unit) {

@@ -24,13 +24,16 @@ struct LedgerOutcome {
   int runs_certified;
   int ledgers;
   int ledgers_biased;
+  int ledgers_wrong;    ///< the ledgers that certified a margin at or below the bias
   double median_finer;  ///< the median over ledgers of a run's margin divided by the ledger's
   bool passed() const;
 };
 
 /// Requires for right draws that half of the ledgers certify a margin of at most an eighth of a
 /// run's and that none is biased. Requires for draws that are off by a third of the margin, which
-/// single runs certify, that every ledger is biased. Reports the biases in between.
+/// single runs certify, that every ledger is biased. Requires for all biases, one of which is a
+/// margin of the grid, that no more ledgers certify a margin at or below it than the miss rate
+/// allows. Reports the biases in between.
 std::vector<LedgerOutcome> audit_ledger(const TesterAudit& audit, const Progress& progress = {});
 
 }  // namespace fairlight

@@ -9,7 +9,7 @@
 #include <fairlight/stats/rosenblatt.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/sequential_t_test.h>
-#include <fairlight/validation/audit/ledger_audit.h>
+#include <fairlight/validation/audit/joint_kinds.h>
 #include <fairlight/validation/audit/test_kinds.h>
 #include <fairlight/validation/checks/means.h>
 
@@ -184,25 +184,6 @@ Finding replicates(const Trial& trial, double bias) {
                     }));
 }
 
-// Sums runs with four times the margin until their evidence sum has a verdict. A bias of one margin
-// is within the margin of each run.
-Finding evidence_sum(const Trial& trial, double bias) {
-  constexpr int most_runs = 1000;
-  Finding finding{Verdict::undecided, Guarantee::exact, trial.margin};
-  EvidenceSum evidence_sum;
-  for (int r = 0; r < most_runs && finding.verdict == Verdict::undecided; ++r) {
-    Trial one = trial;
-    one.claim += " run " + std::to_string(r);
-    one.margin = 4 * trial.margin;
-    const LeavingRun run = run_for_sum(one, bias);
-    evidence_sum.append(run.evidence_sum);
-    finding.draws += run.finding.draws;
-    if (evidence_sum.certified_margin(trial.beta) <= trial.margin) finding.verdict = Verdict::certified;
-    if (evidence_sum.biased(trial.alpha)) finding.verdict = Verdict::biased;
-  }
-  return finding;
-}
-
 std::vector<TestKind> build() {
   std::vector<TestKind> kinds;
   for (const CostLaw& law : cost_laws()) {
@@ -227,9 +208,9 @@ std::vector<TestKind> build() {
       {"variance", false, variance},
       {"variance_ratio", true, variance_at_most},
       {"uncorrelated", false, correlation},
-      {"replicates", false, replicates},
-      {"account", false, evidence_sum}};
+      {"replicates", false, replicates}};
   kinds.insert(kinds.end(), others.begin(), others.end());
+  kinds.insert(kinds.end(), joint_kinds().begin(), joint_kinds().end());
   return kinds;
 }
 

@@ -19,14 +19,6 @@ constexpr double chance = 1e-8;  // the probability that right tests exceed one 
 constexpr double calibration_level = 1e-2;  // 10^4 times the budget of a run
 constexpr double audit_margin = 0.1;
 
-// The smallest limit that a binomial count exceeds with a probability of at most `chance`.
-int binomial_limit(int runs, double probability) {
-  const boost::math::binomial law(runs, probability);
-  int k = 0;
-  while (k < runs && cdf(complement(law, k)) > chance) ++k;
-  return k;
-}
-
 // Counts the wrong verdicts over runs of a kind of test.
 struct Job {
   const TestKind* kind;
@@ -82,6 +74,13 @@ double chi_square_test(PhiloxStream<double>& source) {
 }
 
 }  // namespace
+
+int binomial_limit(int runs, double probability) {
+  const boost::math::binomial law(runs, probability);
+  int k = 0;
+  while (k < runs && cdf(complement(law, k)) > chance) ++k;
+  return k;
+}
 
 std::vector<TesterOutcome> audit_calibration(const TesterAudit& audit, const Progress& progress) {
   const int limit = binomial_limit(audit.calibration_runs, calibration_level);

@@ -28,6 +28,9 @@ struct TesterOutcome {
   bool passed() const { return failures <= limit; }
 };
 
+/// The smallest limit that a binomial count exceeds with a probability of at most 1e-8.
+int binomial_limit(int runs, double probability);
+
 /// Calibration: runs every kind of test on right code at alpha = 0.01, which is 10^4 times the
 /// budget of a run. A failure is any verdict but `certified`.
 std::vector<TesterOutcome> audit_calibration(const TesterAudit& audit, const Progress& progress = {});

@@ -23,6 +23,9 @@ struct Claim {
   std::string real = name_of(Arithmetic::doubles);  ///< the name of its arithmetic
   double finest_margin = 0;  ///< the finest margin that its rounding allows: the floor of its margin; 0 means none
   double weight = 1;         ///< its share of the budget is weight / the sum of all weights
+  /// Whether its bias is relative to a positive reference and tested on both sides, so that biases of
+  /// its subjects add up over their claims; see CommonBias.
+  bool adds_up = false;
   std::vector<ParameterRange> covers{};  ///< the parameters that each run draws anew
   std::string file{};                    ///< the file in claims/ that makes it; the registry fills it in
   std::string instructions{};            ///< the instruction set of its packets; the registry fills it in

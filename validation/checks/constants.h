@@ -4,8 +4,10 @@
 
 namespace fairlight {
 
-/// Tests an estimator without variance: every draw equals the reference to within the relative
-/// error `tolerance`.
+/// Tests an estimator without variance: draws equal the reference to within the relative error
+/// `tolerance`. It looks at 102 400 of them, so it certifies all draws but a share of 4.5e-5, at the
+/// miss rate 0.01, and no mean: a draw in a million may be anything. The margin and the interval are
+/// of the draws that were seen. Guarantee: exact; `biased` is deterministic.
 Finding check_constant(const Trial& trial, double reference, double tolerance, const Draws& draws);
 
 /// The same, with the tolerance in units in the last place of a Real. `draw(source)` gives one

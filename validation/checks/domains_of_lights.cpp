@@ -50,6 +50,10 @@ std::vector<ParameterDomain> domains_of_lights() {
   add_rectangle(rows, "RectangleBySolidAngle", "smaller ones are points; larger ones are planes without end");
   rows.push_back({"RectangleBySolidAngle", "foot along a side", "1", 0, 1,
                   "a foot at the rim, or beside it, has the rows of the cosine at the light"});
+  for (const char* light : {"TriangleByArea", "TriangleBySolidAngle"}) {
+    add_rectangle(rows, light, "smaller ones are points; larger ones are claimed as rectangles");
+    rows.push_back({light, "shear", "1", -unlimited, unlimited, "more of it makes the sides longer"});
+  }
   for (const char* light : {"SphereByArea", "SphereByCone", "SphereByVisibleHemisphere"}) add_sphere(rows, light);
   return rows;
 }

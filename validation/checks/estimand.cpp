@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fairlight/validation/checks/estimand.h>
 
 namespace fairlight {
@@ -11,6 +13,11 @@ double finest_margin_of(const std::vector<Reference>& references, double roundin
   return finest_margin(references) > 0 ? finest_margin(rounded_references(references, rounding)) : 0;
 }
 
+bool adds_up(const std::vector<Reference>& references) {
+  return !references.empty() &&
+         std::ranges::all_of(references, [](const Reference& r) { return r.mean > 0 && r.sides == Sides::both; });
+}
+
 // The row in the arithmetic of these draws.
 Claim mean_row(const MeanStatement& e, const Draws& draws, std::function<Finding(const Trial&)> check) {
   return {.name = e.name + suffix_of(draws),
@@ -21,7 +28,8 @@ Claim mean_row(const MeanStatement& e, const Draws& draws, std::function<Finding
           .margin_factor = e.margin_factor,
           .check = std::move(check),
           .real = real_of(draws),
-          .finest_margin = finest_margin_of(e.references, draws.rounding)};
+          .finest_margin = finest_margin_of(e.references, draws.rounding),
+          .adds_up = adds_up(e.references)};
 }
 
 }  // namespace
@@ -71,7 +79,8 @@ Claim replicates_row(const MeanStatement& e, const std::string& suffix, const st
           .source = e.source,
           .margin_factor = margin_factor * e.margin_factor,
           .check = std::move(check),
-          .real = "packet"};
+          .real = "packet",
+          .adds_up = adds_up(e.references)};
 }
 
 }  // namespace fairlight

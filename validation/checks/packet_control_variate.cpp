@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
+#include <fairlight/stats/common_bias.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/means.h>
 
@@ -35,10 +38,7 @@ std::vector<Reference> of_difference(const std::vector<Reference>& references, d
   return differences;
 }
 
-double log_of_mean(double log_a, double log_b) {
-  const double top = std::max(log_a, log_b);
-  return std::isinf(top) ? top : top + std::log((std::exp(log_a - top) + std::exp(log_b - top)) / 2);
-}
+double log_of_mean(double log_a, double log_b) { return log_mean_exp(std::array{log_a, log_b}); }
 
 MarginGrid joint(MarginGrid a, const MarginGrid& b) {
   for (std::size_t c = 0; c < a.channels.size(); ++c) {
@@ -54,20 +54,35 @@ std::string note_on(const std::string& part, const std::string& note) {
   return note.empty() ? part : part + ": " + note;
 }
 
-// The finding of the sum, for one channel. p is the share of the packets.
+// The finding of the sum, for one channel. p is the share of the packets. If the difference is biased,
+// the figures are its own: those of the sum may lie around 0.
 Finding sum_of(const Trial& trial, const Finding& packets, const Finding& difference, double p) {
   const double d = share_of_difference(p);
+  const double of_packets = difference.verdict == Verdict::biased ? 0 : p;
   Finding sum = packets;
   sum.verdict = worse(packets.verdict, difference.verdict);
   sum.margin = trial.margin;
-  sum.bias = p * packets.bias + d * difference.bias;
-  sum.interval = {p * packets.interval.lo + d * difference.interval.lo,
-                  p * packets.interval.hi + d * difference.interval.hi};
+  sum.bias = of_packets * packets.bias + d * difference.bias;
+  sum.interval = {of_packets * packets.interval.lo + d * difference.interval.lo,
+                  of_packets * packets.interval.hi + d * difference.interval.hi};
   sum.draws += difference.draws;
   sum.rounding = p * packets.rounding + d * difference.rounding;
   if (difference.verdict != Verdict::certified)
     sum.note = note_on("the difference between double and packets", difference.note);
   return sum;
+}
+
+// The finding of the packets alone, for one channel. Unless they are biased, nothing is known of the
+// mean in double, as the difference was not drawn.
+Finding without_difference(const Trial& trial, const Finding& packets, double p) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Finding alone = packets;
+  alone.margin = trial.margin;
+  alone.bias *= p;
+  alone.interval = {p * packets.interval.lo, p * packets.interval.hi};
+  alone.rounding *= p;
+  if (packets.verdict != Verdict::biased) alone.interval = {-infinite, infinite};
+  return alone;
 }
 
 }  // namespace
@@ -138,15 +153,16 @@ Finding PacketControlVariate::finding(const Plan& plan) const {
   Evidence of_packets, of_difference;
   const std::vector<Finding> packets = packets_.test_each(part(0, of_packets), plan.scheme, plan.share);
   const bool go_on = worst_of(packets).verdict == Verdict::certified;
-  std::vector<Finding> differences(packets.size(), Finding{.verdict = Verdict::certified});
+  std::vector<Finding> differences;
   if (go_on)
     differences = test_each_mean(part(1, of_difference), difference_references(plan.share), difference_draws(""));
   leave(of_packets, of_difference);
-  std::vector<Finding> sums;
+  std::vector<Finding> channels;
   for (std::size_t c = 0; c < packets.size(); ++c) {
-    sums.push_back(sum_of(trial_, packets[c], differences[c], plan.share));
+    channels.push_back(go_on ? sum_of(trial_, packets[c], differences[c], plan.share)
+                             : without_difference(trial_, packets[c], plan.share));
   }
-  Finding whole = worst_of(sums);
+  Finding whole = worst_of(channels);
   if (!go_on)
     whole.note = note_on(
         plan.scheme.is_independent() ? "tested in packets" : "tested in packets over Sobol' points", whole.note);
@@ -158,6 +174,7 @@ Trial PacketControlVariate::part(int i, Evidence& evidence) const {
   Trial part = trial_;
   part.alpha /= 2;
   part.evidence = trial_.evidence == nullptr ? nullptr : &evidence;
+  evidence.courses = trial_.evidence != nullptr && trial_.evidence->courses;
   if (trial_.watch) part.watch = [this, i](double done) { return goes_on(trial_, (i + done) / 2); };
   return part;
 }

@@ -53,9 +53,11 @@ std::vector<double> drawn(const std::vector<ParameterRange>& ranges, const Trial
 Finding with_parameters(Finding finding, const std::vector<ParameterRange>& ranges,
                         const std::vector<double>& values) {
   if (finding.verdict == Verdict::certified) return finding;
+  constexpr std::size_t most = 12;  // what a reader takes in; a replay draws the same ones
   std::string list;
-  for (std::size_t i = 0; i < ranges.size(); ++i)
+  for (std::size_t i = 0; i < std::min(ranges.size(), most); ++i)
     list += formatted("%s%s = %.9g", i == 0 ? "" : ", ", ranges[i].parameter.c_str(), values[i]);
+  if (ranges.size() > most) list += formatted(" and %zu more numbers", ranges.size() - most);
   finding.note += formatted("%sat %s", finding.note.empty() ? "" : "; ", list.c_str());
   return finding;
 }

@@ -13,6 +13,7 @@ void add_microfacet_claims(std::vector<Claim>& claims);
 void add_material_claims(std::vector<Claim>& claims);
 void add_light_claims(std::vector<Claim>& claims);
 void add_light_domain_claims(std::vector<Claim>& claims);
+void add_triangle_claims(std::vector<Claim>& claims);
 void add_combinator_claims(std::vector<Claim>& claims);
 void add_combinator_domain_claims(std::vector<Claim>& claims);
 void add_random_claims(std::vector<Claim>& claims);
@@ -26,6 +27,7 @@ void add_scene_strategy_claims(std::vector<Claim>& claims);
 void add_relation_claims(std::vector<Claim>& claims);
 void add_paired_path_claims(std::vector<Claim>& claims);
 void add_whole_domain_claims(std::vector<Claim>& claims);
+void add_whole_picture_claims(std::vector<Claim>& claims);
 
 /// Adds all rows, each with the name of its file, for packets of the width that this is compiled
 /// for.
@@ -41,6 +43,7 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"materials.cpp", add_material_claims},
                              {"lights.cpp", add_light_claims},
                              {"light_domains.cpp", add_light_domain_claims},
+                             {"triangles.cpp", add_triangle_claims},
                              {"combinators.cpp", add_combinator_claims},
                              {"combinator_domains.cpp", add_combinator_domain_claims},
                              {"cameras.cpp", add_camera_claims},
@@ -52,7 +55,8 @@ inline void add_claims(std::vector<Claim>& claims) {
                              {"scene_strategies.cpp", add_scene_strategy_claims},
                              {"relations.cpp", add_relation_claims},
                              {"paired_paths.cpp", add_paired_path_claims},
-                             {"whole_domains.cpp", add_whole_domain_claims}}) {
+                             {"whole_domains.cpp", add_whole_domain_claims},
+                             {"pictures.cpp", add_whole_picture_claims}}) {
     const std::size_t before = claims.size();
     topic.add(claims);
     for (std::size_t i = before; i < claims.size(); ++i) claims[i].file = topic.file;

@@ -50,10 +50,10 @@ std::vector<Fault> first_faults() {
 const std::vector<Fault>& fault_catalogue() {
   static const std::vector<Fault> faults = [] {
     std::vector<Fault> all = first_faults();
-    for (const auto more :
-         {direction_faults, microfacet_faults, material_faults, light_faults, light_domain_faults,
-          combinator_faults, combinator_domain_faults, random_faults, camera_faults, allocation_faults,
-          path_tracer_faults, direct_light_faults, relation_faults, second_order_faults, whole_domain_faults}) {
+    for (const auto more : {direction_faults, microfacet_faults, material_faults, light_faults, light_domain_faults,
+                            triangle_faults, combinator_faults, combinator_domain_faults, random_faults,
+                            camera_faults, allocation_faults, path_tracer_faults, direct_light_faults,
+                            relation_faults, second_order_faults, whole_domain_faults, picture_faults}) {
       for (const Fault& fault : more()) all.push_back(fault);
     }
     return all;

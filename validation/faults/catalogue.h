@@ -25,6 +25,7 @@ std::vector<Fault> microfacet_faults();
 std::vector<Fault> material_faults();
 std::vector<Fault> light_faults();
 std::vector<Fault> light_domain_faults();
+std::vector<Fault> triangle_faults();
 std::vector<Fault> combinator_faults();
 std::vector<Fault> combinator_domain_faults();
 std::vector<Fault> random_faults();
@@ -35,5 +36,6 @@ std::vector<Fault> direct_light_faults();
 std::vector<Fault> relation_faults();
 std::vector<Fault> second_order_faults();
 std::vector<Fault> whole_domain_faults();
+std::vector<Fault> picture_faults();
 
 }  // namespace fairlight

@@ -1,5 +1,6 @@
 #include <fairlight/validation/claims/coloured_metals.h>
 #include <fairlight/validation/claims/energy_compensation.h>
+#include <fairlight/validation/claims/surface_identities.h>
 #include <fairlight/validation/faults/catalogue.h>
 #include <fairlight/validation/faults/wrong_microfacet.h>
 
@@ -23,6 +24,7 @@ Fault fresnel_at_the_normal() {
               rough_metal_claims<double, faults::FresnelAtTheNormal>()};
   const auto packets = rough_metal_claims<Packet, faults::FresnelAtTheNormal>();
   fault.claims.insert(fault.claims.end(), packets.begin(), packets.end());
+  add_constant(fault.claims, bounce_identity<AnyRoughMetal<faults::FresnelAtTheNormal>>());
   return fault;
 }
 

@@ -12,10 +12,8 @@
 #include <fairlight/validation/run/subprocess.h>
 
 namespace fairlight {
-namespace {
 
-// The title, which may hold any letters, is above the keys of all panels.
-std::string head(const std::string& title, int width, int height = 700, const char* layout = "1,1") {
+std::string chart_head(const std::string& title, int width, int height, const char* layout) {
   return formatted("set terminal pngcairo noenhanced size %d,%d font 'sans,11'\n", width, height) +
          formatted("set multiplot layout %s columnsfirst title '%s' font ',13'\n", layout,
                    std::regex_replace(title, std::regex("'"), "''").c_str()) +
@@ -23,6 +21,8 @@ std::string head(const std::string& title, int width, int height = 700, const ch
 set key outside top center horizontal
 )";
 }
+
+namespace {
 
 // The draws along one axis of the cells, as bars: cell i belongs to row `place(i)` of n. Neighbours
 // share a bar if n is above 128. Differences with a standard deviation above 10 % are left out.
@@ -82,7 +82,7 @@ CellResidue cell_residue(const Evidence::Cells& cells, std::size_t cell) {
 std::string histogram_script(const std::string& title, const Evidence::Cells& cells) {
   const auto columns = static_cast<std::size_t>(cells.columns);
   const bool line = columns == 1;
-  return head(title + " (draws)", line ? 900 : 1500, 800, line ? "2,1" : "2,2") +
+  return chart_head(title + " (draws)", line ? 900 : 1500, 800, line ? "2,1" : "2,2") +
          bars_along(cells, cells.rows, line ? "cell" : "cell along s", [=](std::size_t i) { return i / columns; }) +
          (line ? "" : bars_along(cells, cells.columns, "cell along t", [=](std::size_t i) { return i % columns; }));
 }
@@ -95,7 +95,7 @@ std::string p_map_script(const std::string& title, const Evidence::Cells& cells)
   }
   const auto side = std::bit_ceil(static_cast<unsigned>(std::ceil(std::sqrt(cells.rows))));
   const int across = cells.columns > 1 ? cells.columns : static_cast<int>(side);  // a column wraps
-  return head(title + " (p-values)", 900) +
+  return chart_head(title + " (p-values)", 900) +
          (cells.columns > 1 ? "set xlabel 'cell along t'; set ylabel 'cell along s'\n"
                             : formatted("set xlabel 'cells from the top left, %d in each row'\n", across)) +
          R"(set cblabel "p-value of each cell\nred: more draws than expected, blue: fewer" offset 1
@@ -104,13 +104,14 @@ set cbtics ('1e-8' -8, '1e-6' -6, '1e-4' -4, '1e-2' -2, '1' 0, '1e-2' 2, '1e-4' 
 }
 
 std::string tile_map_script(const std::string& title, const Evidence::Tiles& tiles) {
-  return head(title + " (bias of each tile)", 900) + R"(set xlabel 'column of tiles'; set ylabel 'row of tiles'
+  return chart_head(title + " (bias of each tile)", 900) +
+         R"(set xlabel 'column of tiles'; set ylabel 'row of tiles'
 set cblabel "bias / margin\nred: above the reference, blue: below" offset 1
 )" + map(tiles.biases, tiles.columns, 2);
 }
 
 std::string wealth_script(const std::string& title, const Evidence::Course& course) {
-  std::string script = head(title + " (wealth)", 1100) + "$steps << EOD\n0 0 0 0 0\n";
+  std::string script = chart_head(title + " (wealth)", 1100) + "$steps << EOD\n0 0 0 0 0\n";
   const auto power = [](double logarithm) { return logarithm / std::log(10); };
   for (const auto& [draws, mean, w] : course.steps())
     script += std::to_string(draws) + formatted(" %.6g %.6g %.6g %.6g\n", power(w.above_reference),
@@ -132,7 +133,7 @@ plot biased lc rgb 'black' dt 2 notitle, certified lc rgb 'black' dt 2 notitle, 
 
 std::string intervals_script(const std::vector<Outcome>& outcomes) {
   std::string script =
-      head("the bias of each claim lies in its interval", 1200, outcomes.size() > 40 ? 1400 : 700) +
+      chart_head("the bias of each claim lies in its interval", 1200, outcomes.size() > 40 ? 1400 : 700) +
       "$intervals << EOD\n";
   for (const Outcome& outcome : outcomes) {
     const Finding& finding = outcome.finding;

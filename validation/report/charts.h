@@ -23,6 +23,10 @@ std::string tile_map_script(const std::string& title, const Evidence::Tiles& til
 std::string wealth_script(const std::string& title, const Evidence::Course& course);
 std::string intervals_script(const std::vector<Outcome>& outcomes);
 
+/// How every chart begins: a terminal of that size in pixels, a title above panels in this layout
+/// ("rows,columns"), and names of colours. The title may hold any letters.
+std::string chart_head(const std::string& title, int width, int height = 700, const char* layout = "1,1");
+
 /// Throws std::runtime_error unless gnuplot can be run and has the terminal pngcairo.
 void check_gnuplot();
 

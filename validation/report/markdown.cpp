@@ -25,7 +25,7 @@ std::string head(const Page& page) {
   const auto count = [&](Verdict verdict) {
     return std::ranges::count_if(page.outcomes, [=](const Outcome& o) { return o.finding.verdict == verdict; });
   };
-  std::string out = std::string("# fairlight verify: ") + name(overall(page.outcomes)) + "\n\n";
+  std::string out = std::string("# fairlight verify: ") + name(overall(page.outcomes, page.components)) + "\n\n";
   out += formatted("Of %zu claims, %td are certified, %td biased, %td undecided.\n\n", page.outcomes.size(),
                    count(Verdict::certified), count(Verdict::biased), count(Verdict::undecided));
   out += "| | |\n|---|---|\n";
@@ -79,6 +79,17 @@ std::string table(const std::vector<Outcome>& outcomes, const RunOptions& run_op
   return out;
 }
 
+std::string table_of(const std::vector<ComponentOutcome>& components) {
+  if (components.empty()) return "";
+  std::string out = "\n## Components\n\n";
+  out += "A relative bias that is common to the claims of a component, at the same miss rate.\n\n";
+  out += "| component | instructions | claims | verdict | common bias |\n|---|---|--:|---|---|\n";
+  for (const ComponentOutcome& c : components)
+    out += formatted("| %s | %s | %zu | %s | %s |\n", c.name.c_str(), c.instructions.c_str(), c.claims,
+                     name(c.verdict), common_bias_text(c).c_str());
+  return out;
+}
+
 }  // namespace
 
 std::string markdown(const Page& page, const std::string& path) {
@@ -91,7 +102,7 @@ std::string markdown(const Page& page, const std::string& path) {
     if (failed(outcome) || page.pictures.contains(label(outcome, page.run_options)))
       out += section(page, outcome, path);
   }
-  return out + "## All claims\n\n" + table(sorted, page.run_options);
+  return out + "## All claims\n\n" + table(sorted, page.run_options) + table_of(page.components);
 }
 
 }  // namespace fairlight

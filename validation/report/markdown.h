@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include <fairlight/validation/run/run_claims.h>
+#include <fairlight/validation/run/components.h>
 
 namespace fairlight {
 
 /// The contents of the page about a run.
 struct Page {
   const std::vector<Outcome>& outcomes;
+  const std::vector<ComponentOutcome>& components;
   const RunOptions& run_options;
   double seconds;
   std::string command;                                       ///< repeats the run
@@ -19,7 +20,7 @@ struct Page {
 };
 
 /// The page as Markdown: the verdict, the claims that ran and how to run them again, every failure
-/// with its pictures, then the table of all claims. Links are relative to the folder of `path`.
+/// with its pictures, then the tables of all claims and of components. Links are relative to the folder of `path`.
 std::string markdown(const Page& page, const std::string& path);
 
 }  // namespace fairlight

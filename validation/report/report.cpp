@@ -13,8 +13,6 @@ namespace {
 // The shortest decimal text that reads back as this number.
 std::string digits(double value) { return nlohmann::json(value).dump(); }
 
-int rank(Verdict verdict) { return verdict == Verdict::biased ? 0 : verdict == Verdict::undecided ? 1 : 2; }
-
 std::string verify_command(const std::string& claims, const Manifest::Terms& terms,
                            const std::string& instructions) {
   std::string command =
@@ -55,6 +53,8 @@ std::string instruction_list(const std::vector<Outcome>& outcomes) {
   return list;
 }
 
+int rank(Verdict verdict) { return verdict == Verdict::biased ? 0 : verdict == Verdict::undecided ? 1 : 2; }
+
 std::vector<Outcome> worst_first(std::vector<Outcome> outcomes) {
   std::stable_sort(outcomes.begin(), outcomes.end(), [](const Outcome& a, const Outcome& b) {
     return rank(a.finding.verdict) < rank(b.finding.verdict);
@@ -73,6 +73,13 @@ std::string list_of(const std::vector<std::string>& names, std::size_t most) {
 }
 
 std::string end_text(double end) { return std::isinf(end) ? "open" : formatted("%+.2e", end); }
+
+std::string common_bias_text(const ComponentOutcome& component) {
+  if (component.verdict == Verdict::biased)
+    return component.upward ? "found: the means are too high" : "found: the means are too low";
+  if (std::isinf(component.margin)) return "not known yet";
+  return formatted("below %.1e", component.margin);
+}
 
 nlohmann::json outcome_json(const Outcome& outcome, const RunOptions& run_options) {
   const Finding& finding = outcome.finding;
@@ -95,11 +102,29 @@ nlohmann::json outcome_json(const Outcome& outcome, const RunOptions& run_option
   return json;
 }
 
-nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const RunOptions& run_options, double seconds) {
-  nlohmann::json claims = nlohmann::json::array();
+nlohmann::json component_json(const ComponentOutcome& component) {
+  nlohmann::json json = {{"name", component.name},
+                         {"instructions", component.instructions},
+                         {"claims", component.claims},
+                         {"verdict", name(component.verdict)},
+                         {"common_bias", common_bias_text(component)},
+                         {"margin", component.margin}};
+  if (component.ledger) json["ledger"] = {{"runs", component.ledger->runs}, {"margin", component.ledger->margin}};
+  return json;
+}
+
+nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const std::vector<ComponentOutcome>& components,
+                             const RunOptions& run_options, double seconds) {
+  nlohmann::json claims = nlohmann::json::array(), together = nlohmann::json::array();
   for (const Outcome& outcome : outcomes) claims.push_back(outcome_json(outcome, run_options));
-  return {{"version", version}, {"seed", seed_text(run_options.terms.seed)}, {"budget", run_options.terms.budget},
-          {"seconds", seconds}, {"verdict", name(overall(outcomes))},        {"claims", claims}};
+  for (const ComponentOutcome& component : components) together.push_back(component_json(component));
+  return {{"version", version},
+          {"seed", seed_text(run_options.terms.seed)},
+          {"budget", run_options.terms.budget},
+          {"seconds", seconds},
+          {"verdict", name(overall(outcomes, components))},
+          {"claims", claims},
+          {"components", together}};
 }
 
 }  // namespace fairlight

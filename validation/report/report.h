@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fairlight/validation/run/run_claims.h>
+#include <fairlight/validation/run/components.h>
 
 namespace fairlight {
 
@@ -22,6 +22,9 @@ std::string label(const Outcome& outcome, const RunOptions& run_options);
 
 /// The instruction sets of the outcomes, as text: "sse2, avx2".
 std::string instruction_list(const std::vector<Outcome>& outcomes);
+
+/// The place of a verdict in a table: `biased` first, `certified` last.
+int rank(Verdict verdict);
 
 /// The outcomes, sorted stably with the worst verdict first.
 std::vector<Outcome> worst_first(std::vector<Outcome> outcomes);
@@ -43,10 +46,20 @@ enum class Rows {
 void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const RunOptions& run_options,
                     Rows rows = Rows::grouped);
 
-/// One outcome as JSON, and all of them: {version, seed, budget, seconds, verdict, claims: [...]}.
-/// JSON has no infinity: an open end of an interval is null, and so is the margin of a ledger that
-/// certifies none.
+/// Prints a row for each component, the worst verdict first, below a heading that says what is
+/// tested; nothing for none.
+void print_components(std::FILE* out, const std::vector<ComponentOutcome>& components,
+                      const RunOptions& run_options);
+
+/// The common bias that a component has or excludes, in words.
+std::string common_bias_text(const ComponentOutcome& component);
+
+/// One outcome as JSON, one component, and a whole run: {version, seed, budget, seconds, verdict,
+/// claims: [...], components: [...]}. JSON has no infinity: an open end of an interval is null, and
+/// so is a margin where none is certified.
 nlohmann::json outcome_json(const Outcome& outcome, const RunOptions& run_options);
-nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const RunOptions& run_options, double seconds);
+nlohmann::json component_json(const ComponentOutcome& component);
+nlohmann::json outcomes_json(const std::vector<Outcome>& outcomes, const std::vector<ComponentOutcome>& components,
+                             const RunOptions& run_options, double seconds);
 
 }  // namespace fairlight

@@ -84,7 +84,7 @@ class Table {
       : out_(out), options_(run_options) {
     colours_ = isatty(fileno(out)) != 0 && std::getenv("NO_COLOR") == nullptr;
     for (const Group& group : groups) width_ = std::max(width_, static_cast<int>(title(group, run_options).size()));
-    std::fprintf(out_, "%-*s %-10s %-13s %8s %21s %12s %8s\n", width_, "claim", "verdict", "guarantee", "margin",
+    std::fprintf(out_, "%-*s %-10s %-21s %8s %21s %12s %8s\n", width_, "claim", "verdict", "guarantee", "margin",
                  "bias between", "draws", "seconds");
   }
 
@@ -92,7 +92,7 @@ class Table {
     const Finding finding = finding_of(group);
     double seconds = 0;
     for (const Outcome* outcome : group) seconds += outcome->seconds;
-    std::fprintf(out_, "%-*s %s%-10s%s %-13s %8.1e %10s %10s %12llu %8.2f\n", width_,
+    std::fprintf(out_, "%-*s %s%-10s%s %-21s %8.1e %10s %10s %12llu %8.2f\n", width_,
                  title(group, options_).c_str(), colour(finding.verdict), name(finding.verdict),
                  colours_ ? "\033[0m" : "", guarantee_of(group).c_str(), finding.margin,
                  end_text(finding.interval.lo).c_str(), end_text(finding.interval.hi).c_str(),
@@ -143,6 +143,23 @@ void print_outcomes(std::FILE* out, const std::vector<Outcome>& outcomes, const 
     if (group.size() == 1) print_why(out, *group[0], run_options);
   }
   print_notes(out, groups, run_options);
+}
+
+void print_components(std::FILE* out, const std::vector<ComponentOutcome>& components,
+                      const RunOptions& run_options) {
+  if (components.empty()) return;
+  std::vector<ComponentOutcome> sorted = components;
+  std::ranges::stable_sort(sorted, {}, [](const ComponentOutcome& c) { return rank(c.verdict); });
+  const auto title = [&](const ComponentOutcome& c) {
+    return run_options.instructions.size() == 1 ? c.name : c.name + " [" + c.instructions + "]";
+  };
+  std::size_t width = 34;
+  for (const ComponentOutcome& c : sorted) width = std::max(width, title(c).size());
+  std::fprintf(out, "%-*s %6s  %-10s %s\n", static_cast<int>(width), "component", "claims", "verdict",
+               "relative bias common to its claims");
+  for (const ComponentOutcome& c : sorted)
+    std::fprintf(out, "%-*s %6zu  %-10s %s\n", static_cast<int>(width), title(c).c_str(), c.claims, name(c.verdict),
+                 common_bias_text(c).c_str());
 }
 
 }  // namespace fairlight

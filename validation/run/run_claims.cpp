@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 #include <stdexcept>
 
@@ -16,6 +17,26 @@ constexpr double first_turn = 0.002;  // seconds
 constexpr double soon = 0.2;          // seconds: a claim that ends within these goes on
 constexpr double between_words = 0.05;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// Says in a note why a test was told to end; what else the note says stays.
+void say_time_was_up(std::string& note) {
+  const std::string reason = "the time was up before its verdict";
+  const std::size_t at = note.find(told_to_end);
+  if (at != std::string::npos) {
+    note.replace(at, std::string(told_to_end).size(), reason);
+  } else {
+    note = note.empty() ? reason : note + "; " + reason;
+  }
+}
+
+// The largest log wealth against a claim, of any channel.
+double against(const MarginGrid& margin_grid) {
+  double most = 0;
+  for (const auto& channel : margin_grid.channels) {
+    for (const Wealth& wealth : channel) most = std::max({most, wealth.above_reference, wealth.below_reference});
+  }
+  return most;
+}
 
 class Run {
  public:
@@ -37,7 +58,7 @@ class Run {
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!ended_[i]) continue;
       outcomes_[i].out_of_time = true;
-      if (outcomes_[i].seconds > 0) outcomes_[i].finding.note = "the time was up before its verdict";
+      if (outcomes_[i].seconds > 0) say_time_was_up(outcomes_[i].finding.note);
     }
     if (progress_) progress_(1);
     return outcomes_;
@@ -46,7 +67,7 @@ class Run {
  private:
   Finding not_begun(const Claim* claim) const {
     const Trial trial = manifest_.trial(claim->name);
-    Finding finding{Verdict::undecided, Guarantee::deterministic, trial.margin};
+    Finding finding{Verdict::undecided, Guarantee::exact, trial.margin};  // that nothing is known
     finding.interval = {-unlimited, unlimited};
     finding.note = "the time was up before its turn";
     return with_token(trial, finding);
@@ -70,7 +91,8 @@ class Run {
     Outcome outcome{claims_[i], {}, 0};
     Trial trial = manifest_.trial(claims_[i]->name);
     trial.watch = [&](double done) { return goes_on(i, turn, clock.seconds(), done, most); };
-    if (options_.evidence) trial.evidence = &outcome.evidence;
+    outcome.evidence.courses = options_.evidence;
+    if (options_.evidence || claims_[i]->adds_up) trial.evidence = &outcome.evidence;
     outcome.finding = check(*claims_[i], trial);
     outcome.seconds = clock.seconds();
     ended_[i] = turn.ended && outcome.finding.verdict == Verdict::undecided;
@@ -125,7 +147,8 @@ class Run {
     }
     const auto unsuspected = [this](std::size_t i) {
       const Interval& interval = outcomes_[i].finding.interval;
-      return interval.lo <= 0 && interval.hi >= 0;
+      const double wealth = against(outcomes_[i].evidence.margin_grid);
+      return interval.lo <= 0 && interval.hi >= 0 && wealth < -std::log(options_.terms.beta);
     };
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
       if (options_.seconds == unlimited) return forecast_.left(a) > forecast_.left(b);
@@ -156,6 +179,7 @@ Manifest manifest_of(const RunOptions& run_options) {
     rows.push_back({c.name, c.weight, c.margin_factor, c.finest_margin});
   Manifest::Terms terms = run_options.terms;
   terms.budget /= static_cast<double>(sets.size());
+  terms.joint_part = part_for_components;
   return Manifest(rows, terms);
 }
 

@@ -19,7 +19,7 @@ struct RunOptions {
   std::vector<std::string> instructions{""};  ///< every claim runs once for each; they share the budget
   double seconds =
       std::numeric_limits<double>::infinity();  ///< after these, a claim without a verdict is undecided
-  bool evidence = false;                        ///< whether outcomes keep the evidence of the tests
+  bool evidence = false;                        ///< whether outcomes keep all evidence of the tests
   bool fail_fast = false;                       ///< whether no claim goes on after one has failed
 };
 
@@ -34,13 +34,16 @@ struct Outcome {
   const Claim* claim;
   Finding finding;
   double seconds;
-  Evidence evidence{};
+  Evidence evidence{};       ///< the margin grid of claims that add up; all if it was asked for
   bool out_of_time = false;  ///< whether the run ended before its verdict
   std::optional<Standing> ledger{};
 };
 
 /// Whether a claim is biased, or is undecided although there was time.
 bool failed(const Outcome& outcome);
+
+/// The part of the budget for components, whose claims show together what none shows alone.
+inline constexpr double part_for_components = 0.1;
 
 /// The whole registry on the terms of a run. The share of a claim in the budget is the same
 /// whatever else runs, and is divided equally between the instruction sets. Throws as Manifest
