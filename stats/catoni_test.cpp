@@ -64,7 +64,7 @@ class Catoni {
       }
     } catch (const NoMoreDraws& spent) {
       return finding(verdict,
-                     formatted("%s; a verdict needs about %.1e draws (raise the cap, or give a larger margin)",
+                     formatted("%s; a verdict needs about %.1e draws (allow more, or a larger margin)",
                                spent.what(), cap_ / 4));
     }
     return finding(verdict, squares_refute() ? note_on_squares() : note);

@@ -9,7 +9,11 @@
 
 namespace fairlight::detail {
 
-/// The channel that a message is about: of the worst verdict, that of the largest bias.
+/// Whether `a` says more against a claim than `b`: a worse verdict, then an interval without 0, then a
+/// larger bias.
+bool is_worse(const Finding& a, const Finding& b);
+
+/// The channel that a message is about: the worst one.
 std::size_t worst_channel(const std::vector<Finding>& findings);
 
 /// "channel 1 of 0 to 2: ", or nothing where there is one channel.

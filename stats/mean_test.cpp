@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <fairlight/stats/channel_findings.h>
 #include <fairlight/stats/evidence.h>
 #include <fairlight/stats/mean_test.h>
 #include <fairlight/stats/text.h>
@@ -64,7 +65,7 @@ constexpr const char* too_many_blocks =
 std::string needed(const std::vector<BettingTest>& tests) {
   const double expected = Plan(tests).expected;
   if (!(expected > static_cast<double>(tests[0].moments().count()))) return {};
-  return formatted("; a verdict needs about %.1e draws (raise the cap, or give a larger margin)", expected);
+  return formatted("; a verdict needs about %.1e draws (allow more, or a larger margin)", expected);
 }
 
 // Runs the tests until all have verdicts, one is biased, the cap is reached, there are no more
@@ -193,24 +194,6 @@ Finding finding_of(const BettingTest& test, const Reference& reference, double m
           reference.rounding};
 }
 
-// The size of a channel's bias; for a one-sided claim, whose interval has an open end, its value in
-// the excluded direction.
-double size_of_bias(const Finding& finding) {
-  const bool open_below = std::isinf(finding.interval.lo);
-  const bool open_above = std::isinf(finding.interval.hi);
-  if (open_below == open_above) return std::abs(finding.bias);
-  return open_below ? finding.bias : -finding.bias;
-}
-
-// Whether `a` says more against the claim than `b`: a worse verdict, then an interval beyond 0, then a
-// larger bias.
-bool is_worse(const Finding& a, const Finding& b) {
-  const auto beyond_zero = [](const Finding& f) { return f.interval.lo > 0 || f.interval.hi < 0; };
-  if (a.verdict != b.verdict) return worse(a.verdict, b.verdict) == a.verdict;
-  if (beyond_zero(a) != beyond_zero(b)) return beyond_zero(a);
-  return size_of_bias(a) > size_of_bias(b);
-}
-
 // Names the channel of a finding that is not certified, since it alone is shown.
 std::string note_of(const std::string& note, const Finding& finding, std::size_t channel, std::size_t channels) {
   if (channels == 1 || finding.verdict == Verdict::certified || note == told_to_end) return note;
@@ -230,7 +213,7 @@ Finding worst_of(const std::vector<Finding>& channels) {
   Finding worst = channels.at(0);
   for (const Finding& finding : channels) {
     const std::uint64_t draws = std::max(worst.draws, finding.draws);
-    if (is_worse(finding, worst)) worst = finding;
+    if (detail::is_worse(finding, worst)) worst = finding;
     worst.draws = draws;
   }
   return worst;

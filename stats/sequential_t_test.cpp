@@ -245,9 +245,9 @@ class GroupSequential {
 
   std::string needed() const {
     if (drawn_ < shortest_pilot)
-      return formatted("; a pilot alone takes %d draws (raise the cap)", int(shortest_pilot));
+      return formatted("; a pilot alone takes %d draws (allow more)", int(shortest_pilot));
     if (total_ == 0) return "; the draws that matter are too rare for a plan (declare a range: fairlight::bounded)";
-    return formatted("; a verdict needs up to %.1e draws (raise the cap, or give a larger margin)",
+    return formatted("; a verdict needs up to %.1e draws (allow more, or a larger margin)",
                      static_cast<double>(total_));
   }
 

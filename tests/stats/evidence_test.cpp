@@ -187,7 +187,7 @@ TEST(TestMeans, AreUndecidedWhereThereAreNoMoreDrawsAndKeepWhatTheySaw) {
   };
   const Finding finding = test_means(seen, {half}, few_coins);
   EXPECT_EQ(finding.verdict, Verdict::undecided);
-  EXPECT_EQ(finding.note, "the coins have run out");
+  EXPECT_EQ(finding.note.find("the coins have run out; a verdict needs about "), 0u) << finding.note;
   EXPECT_GT(finding.draws, 0u);
   EXPECT_LE(finding.draws, 2000u);
   EXPECT_LT(finding.interval.hi, 1);

@@ -49,7 +49,7 @@ TEST(ACap, EndsAnExpectationUndecidedWithWhatItReachedAndWhatItWouldTake) {
         expect_agree(googletest_site(), uniform, uniform, 1e-5, limits),
         expect_agree(googletest_site(), in_range(uniform, 0, 1), in_range(uniform, 0, 1), 1e-5, limits)}) {
     EXPECT_TRUE(found.message.starts_with("undecided")) << found.message;
-    for (const char* part : {"the cap of 100000 draws came first", "a verdict needs", "raise the cap"})
+    for (const char* part : {"the cap of 100000 draws came first", "a verdict needs", "allow more"})
       EXPECT_NE(found.message.find(part), std::string::npos) << part << " is not in\n" << found.message;
   }
   const Expectation law = expect_follows(googletest_site(), uniform, flat, IntervalDomain{0, 1}, 1e-5, limits);

@@ -94,15 +94,16 @@ std::string csv_cell(const json& cell, bool measured) {
     const json& interval = cell.at("interval");
     return csv_number(cell.at("value")) + "," + csv_number(interval[0]) + "," + csv_number(interval[1]);
   }
-  const std::string text = cell.is_string() ? "\"" + cell.get<std::string>() + "\"" : csv_number(cell);
+  const std::string text =
+      cell.is_string() ? formatted("\"%s\"", cell.get<std::string>().c_str()) : csv_number(cell);
   return text + (measured ? ",," : "");
 }
 
 std::string markdown_table(const json& table) {
-  std::string out = "\n" + table.at("caption").get<std::string>() + "\n\n";
+  std::string out = formatted("\n%s\n\n", table.at("caption").get<std::string>().c_str());
   bool head = true;
   for (const auto& row : texts(table)) {
-    for (const std::string& text : row) out += "| " + text + " ";
+    for (const std::string& text : row) out.append("| ").append(text).append(" ");
     out += "|\n";
     for (std::size_t i = 0; head && i < row.size(); ++i) out += i == 0 ? "|---" : "|--:";
     if (head) out += "|\n";
@@ -143,12 +144,13 @@ std::string table_csv(const json& table) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     measured.push_back(is_measured(table, i));
     const auto name = columns[i].at("name").get<std::string>();
-    out += (i == 0 ? "\"" : ",\"") + name + "\"";
-    if (measured[i]) out += ",\"" + name + "_lo\",\"" + name + "_hi\"";
+    out += formatted(i == 0 ? "\"%s\"" : ",\"%s\"", name.c_str());
+    if (measured[i]) out += formatted(",\"%s_lo\",\"%s_hi\"", name.c_str(), name.c_str());
   }
   out += "\n";
   for (const json& row : table.at("rows")) {
-    for (std::size_t i = 0; i < row.size(); ++i) out += (i == 0 ? "" : ",") + csv_cell(row[i], measured[i]);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out.append(i == 0 ? "" : ",").append(csv_cell(row[i], measured[i]));
     out += "\n";
   }
   return out;
@@ -156,11 +158,11 @@ std::string table_csv(const json& table) {
 
 std::string study_markdown(const json& study) {
   const auto text = [&](const char* key) { return study.at(key).get<std::string>(); };
-  std::string out = "# " + text("title") + "\n\n" + text("text") + "\n";
+  std::string out = formatted("# %s\n\n%s\n", text("title").c_str(), text("text").c_str());
   for (const json& table : study.at("tables")) out += markdown_table(table);
   for (const json& picture : study.at("pictures")) {
     const auto caption = picture.at("caption").get<std::string>(), file = picture.at("file").get<std::string>();
-    out += "\n![" + caption + "](" + file + ")\n\n" + caption + "\n";
+    out += formatted("\n![%s](%s)\n\n%s\n", caption.c_str(), file.c_str(), caption.c_str());
   }
   const auto name = text("study");
   out += "\nBrackets are 95 % confidence intervals. ";
@@ -170,9 +172,10 @@ std::string study_markdown(const json& study) {
                      number_text(study.at("load")).c_str());
   else
     out += "No value depends on the clock.\n";
-  out += "Source: " + text("source") + ". The numbers are also in `" + name + ".json` and in CSV files.\n\n```\n";
-  out += "fairlight study " + name + " --seed " + text("seed") + (study.at("quick").get<bool>() ? " --quick" : "");
-  return out + " --out DIR\n```\n";
+  out += formatted("Source: %s. The numbers are also in `%s.json` and in CSV files.\n\n", text("source").c_str(),
+                   name.c_str());
+  return out + formatted("```\nfairlight study %s --seed %s%s --out DIR\n```\n", name.c_str(), text("seed").c_str(),
+                         study.at("quick").get<bool>() ? " --quick" : "");
 }
 
 std::string study_text(const json& study) {
