@@ -63,9 +63,8 @@ class Catoni {
         add(channels[0]);
       }
     } catch (const NoMoreDraws& spent) {
-      return finding(verdict,
-                     formatted("%s; a verdict needs about %.1e draws (allow more, or a larger margin)",
-                               spent.what(), cap_ / 4));
+      return finding(verdict, formatted("%s; a verdict needs about %.1e draws (allow more, or a larger margin)",
+                                        spent.what(), cap_ / 4));
     }
     return finding(verdict, squares_refute() ? note_on_squares() : note);
   }

@@ -53,7 +53,8 @@ Eigen::Matrix2d from_first_corner(const PolygonDomain& polygon, double sign) {
 std::vector<double> checked_cuts(std::vector<double> cuts) {
   for (double cut : cuts) {
     if (!(cut > 0 && cut < 1))
-      throw std::invalid_argument("a cut must lie inside the domain (leave out its ends, where quadrature never asks)");
+      throw std::invalid_argument(
+          "a cut must lie inside the domain (leave out its ends, where quadrature never asks)");
   }
   std::sort(cuts.begin(), cuts.end());
   return cuts;

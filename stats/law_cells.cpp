@@ -77,7 +77,8 @@ struct Strips {
 
 LawCells cells_of_line(const SquareDensity& density, const Landmarks& landmarks) {
   const auto f = [&](double s) { return checked_density(density(s, 0.5), s, 0.5); };
-  const auto leaves = integrate_in_leaves(f, edges(rows_of_line, landmarks.s), {tolerance, 0.25 / rows_of_line, 4096});
+  const auto leaves =
+      integrate_in_leaves(f, edges(rows_of_line, landmarks.s), {tolerance, 0.25 / rows_of_line, 4096});
   const Integral total = sum_of(leaves);
   LawCells cells{0, 1, {}, total.error};
   cells.row_edges = edges_by_mass(leaves, rows_of_line, total.value);
@@ -118,8 +119,11 @@ std::size_t LawCells::index(const Eigen::Vector2d& place) const {
     if (!(x >= 0 && x <= 1))
       throw std::out_of_range("a place outside the unit square (check its coordinates first)");
   }
-  const auto cut = [](double x, int n) { return static_cast<std::size_t>(std::min(static_cast<int>(x * n), n - 1)); };
-  if (first_of_row.empty()) return cut(place.x(), rows) * static_cast<std::size_t>(columns) + cut(place.y(), columns);
+  const auto cut = [](double x, int n) {
+    return static_cast<std::size_t>(std::min(static_cast<int>(x * n), n - 1));
+  };
+  if (first_of_row.empty())
+    return cut(place.x(), rows) * static_cast<std::size_t>(columns) + cut(place.y(), columns);
   const auto among = [](const std::vector<double>& inner, double x) {
     return static_cast<std::size_t>(std::upper_bound(inner.begin(), inner.end(), x) - inner.begin());
   };
@@ -156,7 +160,8 @@ LawCells cells_of_square(const SquareDensity& density, const Landmarks& landmark
     for (const Leaf& slab : slabs)
       mass += slab.low >= rows[row] && slab.high <= rows[row + 1] ? slab.integral.value : 0;
     const auto leaves = integrate_in_leaves(
-        at_t, across, {tolerance / static_cast<double>(rows.size()), std::max(0.25 * mass / columns_of_square, tolerance)});
+        at_t, across,
+        {tolerance / static_cast<double>(rows.size()), std::max(0.25 * mass / columns_of_square, tolerance)});
     cells.first_of_row.push_back(cells.probabilities.size());
     cells.column_edges.push_back(edges_by_mass(leaves, columns_of_square, sum_of(leaves).value));
     add_masses(cells.probabilities, leaves, cells.column_edges.back());

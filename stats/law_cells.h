@@ -41,10 +41,10 @@ struct LawCells {
   int rows;
   int columns;
   std::vector<double> probabilities;
-  double error;                                   ///< the quadrature's error bound for their sum
-  std::vector<double> row_edges{};                ///< inner edges in s, sorted
+  double error;                                     ///< the quadrature's error bound for their sum
+  std::vector<double> row_edges{};                  ///< inner edges in s, sorted
   std::vector<std::vector<double>> column_edges{};  ///< of each row, inner edges in t, sorted
-  std::vector<std::size_t> first_of_row{};        ///< the index of each row's first cell
+  std::vector<std::size_t> first_of_row{};          ///< the index of each row's first cell
   bool even_columns = false;  ///< whether all rows have the even columns, so that t may be rounded to them
   bool each_alone = false;    ///< whether each cell must be certified alone: outcomes, or a table
   bool lossy = false;         ///< whether the last cell is that of lost draws

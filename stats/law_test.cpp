@@ -180,7 +180,8 @@ void check_lost(std::uint64_t i, bool lossy) {
 
 void check_size(double size) {
   if (!(size > 0 && std::isfinite(size)))
-    throw std::domain_error(formatted("the domain has the size %g (a law needs one that is positive and finite)", size));
+    throw std::domain_error(
+        formatted("the domain has the size %g (a law needs one that is positive and finite)", size));
 }
 
 void check_density_of_draw(std::uint64_t i, double density) {

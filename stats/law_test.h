@@ -38,22 +38,28 @@ inline constexpr std::uint64_t pilot_draws = 256;
 /// Throws std::domain_error unless a domain's size is positive and finite.
 void check_size(double size);
 
-/// The cells of a domain and of `pdf(point)`, for the place of `pilot` draws if there are any.
-template <class Domain, class Pdf>
-LawCells law_cells(const Domain& domain, const Pdf& pdf, std::span<const Eigen::Vector2d> pilot = {}) {
+namespace detail {
+template <class Domain>
+void check_size_of(const Domain& domain) {
   if constexpr (requires { domain.jacobian(0.5, 0.5); }) {
     check_size(domain.scale);
   } else {
     check_size(domain.size());
   }
-  return with_lost(cells_of_square(detail::density_on_square(domain, pdf),
-                                   with_pilot(detail::landmarks_of(domain), pilot)),
-                   detail::lost_share(domain));
+}
+}  // namespace detail
+
+/// The cells of a domain and of `pdf(point)`, for the place of `pilot` draws if there are any.
+template <class Domain, class Pdf>
+LawCells law_cells(const Domain& domain, const Pdf& pdf, std::span<const Eigen::Vector2d> pilot = {}) {
+  return with_lost(
+      cells_of_square(detail::density_on_square(domain, pdf), with_pilot(detail::landmarks_of(domain), pilot)),
+      detail::lost_share(domain));
 }
 
 template <class Domain, class Pdf>
-  requires std::is_base_of_v<DiscreteDomain, Domain>
-LawCells law_cells(const Domain& domain, const Pdf& pdf, std::span<const Eigen::Vector2d> = {}) {
+requires std::is_base_of_v<DiscreteDomain, Domain> LawCells law_cells(const Domain& domain, const Pdf& pdf,
+                                                                      std::span<const Eigen::Vector2d> = {}) {
   return with_lost(cells_of_numbers(domain.n, pdf), detail::lost_share(domain));
 }
 
@@ -119,7 +125,8 @@ class CellCounter {
     if constexpr (detail::is_optional<Point>) {
       return x ? cell_of(*x) : lost_cell(i_);
     } else {
-      const Eigen::Vector2d place = cells_.even_columns ? detail::place_of_cell(domain_, x) : domain_.coordinates(x);
+      const Eigen::Vector2d place =
+          cells_.even_columns ? detail::place_of_cell(domain_, x) : domain_.coordinates(x);
       if (cells_.lossy && is_outside(place)) return lost_cell(i_);
       check_place(i_, place);  // first: a density may be a table of the domain's points
       check_(i_, x);
@@ -169,6 +176,7 @@ std::vector<Eigen::Vector2d> pilot_places(const Domain& domain, Draw& draw) {
 template <class Domain, class Pdf, class Draw>
 Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&& draw) {
   return detail::guarded(trial, [&] {
+    detail::check_size_of(domain);
     const bool numbers = std::is_base_of_v<DiscreteDomain, Domain>;
     const auto places = numbers ? std::vector<Eigen::Vector2d>{} : pilot_places(domain, draw);
     const LawCells cells = law_cells(domain, pdf, places);
@@ -183,11 +191,12 @@ Finding test_law(const Trial& trial, const Domain& domain, const Pdf& pdf, Draw&
 template <class Domain, class Draw>
 Finding test_law(const Trial& trial, const Domain& domain, const LawTable& table, Draw&& draw) {
   return detail::guarded(trial, [&] {
+    detail::check_size_of(domain);
     const LawCells cells = with_lost(cells_of_table(table), detail::lost_share(domain));
     const auto check = [](std::uint64_t, const auto&) {};
-    return test_counts(trial, cells,
-                       CellCounter<Domain, std::remove_reference_t<Draw>, decltype(check)>(trial, cells, domain,
-                                                                                         draw, check, 0));
+    return test_counts(
+        trial, cells,
+        CellCounter<Domain, std::remove_reference_t<Draw>, decltype(check)>(trial, cells, domain, draw, check, 0));
   });
 }
 

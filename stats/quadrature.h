@@ -20,8 +20,8 @@ struct Leaf {
 
 /// When to stop dividing an interval.
 struct Subdivision {
-  double tolerance;             ///< of the sum of all errors, absolute
-  double largest = 1e300;       ///< a leaf with a larger integral is divided too
+  double tolerance;        ///< of the sum of all errors, absolute
+  double largest = 1e300;  ///< a leaf with a larger integral is divided too
   std::size_t most_leaves = 400;
 };
 

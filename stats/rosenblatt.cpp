@@ -145,8 +145,9 @@ Rosenblatt::Slab Rosenblatt::slab_of(double low, double high, bool steep) const 
     slab.at_nodes.push_back(pieces_at(low + slab_nodes().at[j] * width, steep));
     slab.mass += Rule::weights()[j / 2] / 2 * slab.at_nodes[j].back() * width;
   }
-  // Beyond this slope the cubic would fall somewhere. Source: Fritsch and Carlson 1980.
-  if (std::max(slab.first, slab.last) > 3 * slab.mass) slab.first = slab.last = slab.mass;
+  // Up to this slope the cubic is monotone. Source: Fritsch and Carlson 1980.
+  slab.first = std::min(slab.first, 3 * slab.mass);
+  slab.last = std::min(slab.last, 3 * slab.mass);
   return slab;
 }
 
@@ -193,8 +194,8 @@ double Rosenblatt::interpolated(const Slab& slab, double x, std::size_t piece) {
 Eigen::Vector2d Rosenblatt::operator()(double s, double t) const {
   if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
     throw std::out_of_range("a place outside the unit square (check its coordinates first)");
-  const auto after =
-      std::upper_bound(slabs_.begin() + 1, slabs_.end(), s, [](double x, const Slab& slab) { return x < slab.low; });
+  const auto after = std::upper_bound(slabs_.begin() + 1, slabs_.end(), s,
+                                      [](double x, const Slab& slab) { return x < slab.low; });
   const Slab& slab = *(after - 1);
   const double x = (s - slab.low) / slab.width;
   const double u = slab.before + mass_below(slab, x);

@@ -58,7 +58,7 @@ Finding check_law_moments_of(const Trial& trial, const Drawn& drawn, const Law& 
   SamplerDraws draws(drawn, pairs);
   return test_rosenblatt(
       trial, [&](double s, double t) { return law.pdf(domain.at(s, t)).value() * domain.size(); },
-      [&](std::uint64_t i) { return domain.coordinates(draws.point(i)); }, replicate);
+      [&](std::uint64_t i) { return domain.coordinates(draws.point(i)); }, replicate, landmarks_of(domain));
 }
 
 }  // namespace detail
