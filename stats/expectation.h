@@ -139,6 +139,8 @@ std::vector<double> sample_of(Draw&& draw) {
     }
   } catch (const NoMoreDraws&) {
     return sample;
+  } catch (const BadDraw&) {  // which the finding names
+    return sample;
   }
 }
 

@@ -62,7 +62,7 @@ class GroupSequential {
       if (finding.verdict != Verdict::undecided || end_ == End::final || (end_ == End::off && searched))
         return finding;
       searched = end_ == End::off;
-      pilot = std::max<std::uint64_t>(heavy_after, 16 * arms_.count());
+      pilot = std::max<std::uint64_t>({heavy_after, 16 * arms_.count(), 2 * pilot});
     }
   } catch (const NoMoreDraws& spent) {
     return ended(std::string(spent.what()) + needed());
@@ -134,7 +134,7 @@ class GroupSequential {
   }
 
   // The numbers of draws per arm of the looks, in geometric progression. The last is enough for the
-  // margin, and for the skewness at the level at which a bias would be seen. The first is a quarter
+  // margin, and for the skewness at both levels, of a bias and of a miss. The first is a quarter
   // of what the margin takes, and enough for the skewness at the miss rate. The pilot's variance is
   // increased by 5.5 of its own standard errors, from its fourth moments.
   std::array<std::uint64_t, looks> plan(double all_beta) const {
@@ -146,7 +146,8 @@ class GroupSequential {
     const double precision = widened * root * root * arms_.squared_error() * n / (margin() * margin());
     const double skew = arms_.squared_error() > 0 ? arms_.skewness_of_mean() * std::sqrt(n) : 0;
     const auto guard = [&](double x) { return std::pow(widened, 3) * std::pow(skew * x * x * x / most_skew, 2); };
-    const double last = std::ceil(std::max({precision, guard(normal_quantile(level)), 1000.0}));
+    const double last =
+        std::ceil(std::max({precision, guard(normal_quantile(std::min(level, least_beta))), 1000.0}));
     if (!(last < 1e15))
       throw std::invalid_argument("the margin asks for more than 10^15 draws (give a larger one)");
     const double first = std::min(last / 4, std::max({precision / 4, guard(normal_quantile(least_beta)), 250.0}));

@@ -73,8 +73,8 @@ void add_plan_command(CLI::App& program, Command& command) {
              "The standard deviation of one draw.")
       ->required();
   begin_group(*app, "The question");
-  add_number(*app, "--margin", options->margin, {.low = 0, .high = 1}, "How many draws does this margin take?");
-  add_number(*app, "--draws", options->draws, {.low = 0}, "Which margin do so many draws certify?");
+  add_number(*app, "--margin", options->margin, {.low = 0, .high = 1}, "Say how many draws this margin takes.");
+  add_number(*app, "--draws", options->draws, {.low = 0}, "Say which margin so many draws certify.");
   add_number(*app, "--scale", options->scale, {.low = 0},
              "What the margin is relative to. The absolute mean if not given.");
   add_number(*app, "--beta", options->beta, {.low = 0, .high = 1}, "The miss rate of the test.")
