@@ -1,32 +1,18 @@
 #include <cmath>
 #include <numbers>
 
-#include <fairlight/estimators/stream.h>
-#include <fairlight/stats/chi_square.h>
-#include <fairlight/stats/kolmogorov_smirnov.h>
-#include <fairlight/stats/law_test.h>
+#include <fairlight/stats/catoni_test.h>
 #include <fairlight/stats/mean_test.h>
-#include <fairlight/stats/rosenblatt.h>
 #include <fairlight/stats/second_order.h>
 #include <fairlight/stats/sequential_t_test.h>
+#include <fairlight/validation/audit/audit_numbers.h>
 #include <fairlight/validation/audit/joint_kinds.h>
+#include <fairlight/validation/audit/law_kinds.h>
 #include <fairlight/validation/audit/test_kinds.h>
 #include <fairlight/validation/checks/means.h>
 
 namespace fairlight {
 namespace {
-
-// The uniform random numbers of a trial: number `i` of stream `unit`.
-class Numbers {
- public:
-  explicit Numbers(const Trial& trial) : key_(trial.seed, trial.claim) {}
-  double operator()(std::uint64_t i, std::uint32_t unit = 0) const {
-    return PhiloxStream<double>(key_, unit, i).next();
-  }
-
- private:
-  StreamKey key_;
-};
 
 double exponential(double u) { return -std::log1p(-u); }
 
@@ -78,6 +64,20 @@ Finding student(const Trial& trial, double bias) {
   return sequential_t_test(trial, 1, 1, block_of(draw));
 }
 
+// A twentieth of the draws is 20, the others are 0.
+Finding rare_coin(const Trial& trial, double bias) {
+  const Numbers u(trial);
+  const auto draw = [=](std::uint64_t i, std::uint32_t) { return u(i) < 0.05 * (1 + bias) ? 20.0 : 0.0; };
+  return sequential_t_test(trial, 1, 1, block_of(draw));
+}
+
+// Pareto's law of index 5/2 and mean 1 has the variance 0.8, and no third moment.
+Finding catoni(const Trial& trial, double bias) {
+  const Numbers u(trial);
+  const auto draw = [=](std::uint64_t i, std::uint32_t) { return 0.6 * std::pow(1 - u(i), -0.4) * (1 + bias); };
+  return catoni_test(trial, {1, 1}, 1, block_of(draw));
+}
+
 Finding welch(const Trial& trial, double bias) {
   const Numbers u(trial);
   const auto draw = [=](std::uint64_t i, std::uint32_t c) {
@@ -86,69 +86,11 @@ Finding welch(const Trial& trial, double bias) {
   return sequential_welch_test(trial, 1, block_of(draw));
 }
 
-Finding counts(const Trial& trial, double bias) {
-  const Numbers u(trial);
-  const double half = (1 + bias) / 2;  // the share of the lower eight of the sixteen cells
-  return test_law(
-      trial, DiscreteDomain{16}, [](std::int64_t) { return 1.0 / 16; },
-      [&](std::uint64_t i) {
-        const double x = u(i);
-        const double place = x < half ? x / half / 2 : 0.5 + (x - half) / (1 - half) / 2;
-        return static_cast<std::int64_t>(16 * place);
-      });
-}
-
-Finding two_cells(const Trial& trial, double bias) {
-  const Numbers u(trial);
-  return test_law(
-      trial, DiscreteDomain{2}, [](std::int64_t) { return 0.5; },
-      [&](std::uint64_t i) { return std::int64_t{u(i) < (1 + bias) / 2}; });
-}
-
-// Draws of the density 1 + b (2s - 1), by inversion, tested against the uniform density. Their L2
-// distance is b / sqrt3.
-Finding density(const Trial& trial, double bias) {
-  const Numbers u(trial);
-  const double b = bias * std::numbers::sqrt3;
-  return test_law(
-      trial, IntervalDomain{0, 1}, [](double) { return 1.0; },
-      [&](std::uint64_t i) {
-        const double c = 1 - b;
-        return 2 * u(i) / (c + std::sqrt(c * c + 4 * b * u(i)));
-      });
-}
-
 // The fault is a negative bias: the sign is reversed.
 Finding not_below(const Trial& trial, double bias) {
   const Numbers u(trial);
   const auto draw = [=](std::uint64_t i, std::uint32_t) { return 2 * u(i) * (1 - bias); };
   return test_means(trial, {{1, 0, 2.5, 0, 1, Sides::not_below}}, block_of(draw));
-}
-
-// A single sample of fixed size, large enough to detect u^(1/(1+margin)) at a level of 1e-8.
-Finding kolmogorov(const Trial& trial, double bias) {
-  const Numbers u(trial);
-  const double farthest = trial.margin / std::numbers::e;
-  const double reach = std::sqrt(std::log(4 / trial.alpha) / 2) + 2.5;
-  std::vector<double> sample(static_cast<std::size_t>(std::pow(reach / farthest, 2)) * 2);
-  for (std::size_t i = 0; i < sample.size(); ++i) sample[i] = std::pow(u(i), 1 / (1 + bias));
-  const KolmogorovSmirnov result = kolmogorov_smirnov(sample);
-  const bool alarm = result.too_far < trial.alpha / 2 || result.too_near < trial.alpha / 2;
-  return Finding{alarm ? Verdict::biased : Verdict::certified, Guarantee::asymptotic, trial.margin};
-}
-
-// Draws of the density 2 s (1 + a sqrt2 cos(pi t)), by inversion. The claim is a = 0.
-Finding moments_of_the_law(const Trial& trial, double bias) {
-  const Numbers u(trial);
-  const double a = bias * std::numbers::sqrt2;
-  const auto wave = [a](double v) {
-    double t = v;
-    for (int k = 0; k < 30; ++k) t = v - a * std::sin(std::numbers::pi * t) / std::numbers::pi;
-    return t;
-  };
-  return test_rosenblatt(
-      trial, [](double s, double) { return 2 * s; },
-      [&](std::uint64_t i) { return Eigen::Vector2d(std::sqrt(u(i)), wave(u(i, 1))); });
 }
 
 Finding variance(const Trial& trial, double bias) {
@@ -200,17 +142,14 @@ std::vector<TestKind> build() {
       {"betting.packet_control_variate.points", false, control_variate<points_a_replicate, last_share>},
       {"t.exponential", false, student},
       {"welch.unlike_variances", false, welch},
-      {"counts", false, counts},
-      {"counts.coin", false, two_cells},
-      {"law.interval", false, density},
-      {"kolmogorov_smirnov", false, kolmogorov},
-      {"rosenblatt", false, moments_of_the_law},
+      {"t.coin", false, rare_coin},
+      {"catoni.pareto", false, catoni},
       {"variance", false, variance},
       {"variance_ratio", true, variance_at_most},
       {"uncorrelated", false, correlation},
       {"replicates", false, replicates}};
   kinds.insert(kinds.end(), others.begin(), others.end());
-  kinds.insert(kinds.end(), joint_kinds().begin(), joint_kinds().end());
+  for (const auto& more : {law_kinds(), joint_kinds()}) kinds.insert(kinds.end(), more.begin(), more.end());
   return kinds;
 }
 
