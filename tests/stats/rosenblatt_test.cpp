@@ -40,6 +40,18 @@ TEST(Rosenblatt, LooksAgainWhereADensityIsNotSmooth) {
   EXPECT_NEAR(transform(s, t).y(), (t + t * t) / 2, 1e-9);
 }
 
+TEST(Rosenblatt, IntegratesBetweenJumps) {
+  const Rosenblatt transform([](double s, double) { return s < 0.1 ? 2.0 : s < 0.9 ? 0.5 : 4.0; });
+  EXPECT_NEAR(transform(0.05, 0.5).x(), 0.1, 1e-6);
+  EXPECT_NEAR(transform(0.5, 0.5).x(), 0.4, 1e-6);
+  EXPECT_NEAR(transform(0.95, 0.5).x(), 0.8, 1e-6);
+}
+
+TEST(Rosenblatt, RefusesWhatCannotBeIntegrated) {
+  const auto noise = [](double s, double) { return 2 * std::fmod(1e9 * s, 1.0); };
+  EXPECT_THROW(Rosenblatt(noise, {.s = {}, .t = {}, .line = true}), CannotIntegrate);
+}
+
 TEST(Rosenblatt, RefusesADensityThatDoesNotIntegrateToOne) {
   EXPECT_THROW(Rosenblatt([](double, double) { return 1.1; }), std::invalid_argument);
 }
