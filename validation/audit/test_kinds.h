@@ -17,6 +17,9 @@ struct TestKind {
   /// Runs the test with the seed of the trial. `bias` is relative to the reference: 0 for right
   /// code, +margin and -margin for the biases that the test must not certify.
   std::function<Finding(const Trial& trial, double bias)> run;
+
+  /// Whether wrong code is `biased`. Without a range no draws show that, and it must be `undecided`.
+  bool refutes = true;
 };
 
 /// Every kind of test in stats/, at least once each.

@@ -102,7 +102,8 @@ std::vector<TesterOutcome> audit_power(const TesterAudit& audit, const Progress&
             kind.name + (bias > 0 ? " +" : " -") + (beta < 1e-3 ? " miss rate 1e-8" : " miss rate 0.01");
         const Trial trial{"power." + name, 0, 1e-6, beta, audit_margin};
         const int limit = beta < 1e-3 ? 0 : binomial_limit(audit.power_seeds, beta);
-        jobs.push_back({&kind, name, bias, trial, Verdict::biased, audit.power_seeds, limit});
+        const Verdict right = kind.refutes ? Verdict::biased : Verdict::undecided;
+        jobs.push_back({&kind, name, bias, trial, right, audit.power_seeds, limit});
       }
     }
   }

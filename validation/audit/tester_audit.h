@@ -37,7 +37,8 @@ std::vector<TesterOutcome> audit_calibration(const TesterAudit& audit, const Pro
 
 /// Power: runs every kind of test on draws that are off by plus and minus the margin, at two miss
 /// rates. At 1e-8 no run may miss (limit 0). At 0.01, the usual one, the misses must stay within
-/// the binomial limit for that rate. A miss is any verdict but `biased`.
+/// the binomial limit for that rate. A miss is any verdict but `biased`, or but `undecided` of a test
+/// that needs a range to refute.
 std::vector<TesterOutcome> audit_power(const TesterAudit& audit, const Progress& progress = {});
 
 /// The cost of the core test on right code, at alpha = 1e-8 and beta = 0.01, in units of (CV /
