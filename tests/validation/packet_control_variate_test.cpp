@@ -135,9 +135,16 @@ TEST(PacketControlVariate, PaysWhereTheVarianceSaysHowManyDrawsThereMustBe) {
   EXPECT_TRUE(pays({2, 0, 4, 1e-8}, 1e-3));
   EXPECT_FALSE(pays({2, 0, 4, 1e-7}, 1e-3)) << "a tail that may hide too much";
   EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .rounding = 2e-4}, 1e-3)) << "which 79 % does not take";
-  EXPECT_FALSE(pays({2, 0, 2.9}, 1e-3)) << "out of the range";
+  EXPECT_THROW(pays({2, 0, 2.9}, 1e-3), BadDraw);
   EXPECT_FALSE(pays({2, 0, 4}, 1e-2)) << "so few draws";
   EXPECT_FALSE(pays({.mean = 2, .lower = 0, .upper = 4, .sides = Sides::not_above}, 1e-3));
+}
+
+TEST(CheckMeanInDouble, FindsWhatItsPilotMeets) {
+  const Finding finding = check_mean_in_double({"check_mean_in_double_test", testing::run_seed(), 1e-6, 0.01, 1e-3},
+                                               {{2, 0, 2.9}}, paired(ramp(0, 0)));
+  EXPECT_EQ(finding.verdict, Verdict::biased);
+  EXPECT_NE(finding.note.find("in the pilot"), std::string::npos) << finding.note;
 }
 
 // As where a packet goes on until the last of its lanes has ended.

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <limits>
 #include <map>
+#include <memory>
 
 #include <gtest/gtest.h>
 #include <support/run_seed.h>
@@ -55,12 +57,23 @@ TEST(PacketMean, TakesTheNumberOfPointsThatTakesTheLeastTime) {
   EXPECT_EQ(points_mostly(1e-4, two, ramps(8), some), 64u);
 }
 
-TEST(PacketMean, LeavesADrawThatIsOutOfItsRangeToTheTest) {
-  const std::vector<Reference> narrow{{2, 0, 2.9}};
-  EXPECT_EQ(PacketMean(at_margin(1e-3), narrow, ramps(1)).cheapest(some).points, 1u);
-  const Finding finding = check_mean_in_packets(at_margin(1e-3), narrow, ramps(1), some);
-  EXPECT_EQ(finding.verdict, Verdict::biased);
-  EXPECT_NE(finding.note.find("above"), std::string::npos) << finding.note;
+// Packets of ramps, of which the one drawn at the turn `bad` has NaNs. The first 1024 draws are a pilot.
+Draws ramps_and_nans(std::uint64_t bad) {
+  const auto drawn = std::make_shared<std::uint64_t>(0);
+  return packet_draws([=](auto& source) {
+    const Packet ramp = Packet(2) * source.next() + Packet(1);
+    return (*drawn)++ == bad ? Packet(std::numeric_limits<float>::quiet_NaN()) : ramp;
+  });
+}
+
+TEST(CheckMeanInPackets, FindsWhatItsPilotMeets) {
+  const Finding nan = check_mean_in_packets(at_margin(1e-3), two, ramps_and_nans(100), some);
+  EXPECT_EQ(nan.verdict, Verdict::biased);
+  EXPECT_NE(nan.note.find("nan"), std::string::npos) << nan.note;
+  EXPECT_NE(nan.note.find("in the pilot"), std::string::npos) << nan.note;
+  const Finding above = check_mean_in_packets(at_margin(1e-3), {{2, 0, 2.9}}, ramps(1), some);
+  EXPECT_EQ(above.verdict, Verdict::biased);
+  EXPECT_NE(above.note.find("above"), std::string::npos) << above.note;
 }
 
 TEST(CheckMeanInPackets, HasOneVerdictWhateverTheNumbers) {

@@ -99,8 +99,8 @@ class PacketMean {
   Pilots pilots() const& { return Pilots(*this); }
 
   /// The fastest scheme where the mean gets the whole margin. It is over points only where
-  /// independent numbers would take more than `many` draws. Independent numbers where a pilot draw
-  /// is out of its range.
+  /// independent numbers would take more than `many` draws. Throws BadDraw where a pilot draw is out
+  /// of its range.
   SamplingScheme cheapest(double many) const;
 
   /// The finding of test_means for each channel; throws what that throws. Counts single draws, not
@@ -141,7 +141,7 @@ class PacketControlVariate {
 
   /// The fastest plan, or none if draws in double alone are faster. There is none where the range
   /// is so wide that it alone sets the number of draws, or where these are so few that the pilot
-  /// costs more than it saves, or where a pilot draw is out of its range.
+  /// costs more than it saves. Throws BadDraw where a pilot draw is out of its range.
   std::optional<Plan> pays() const;
 
   /// The finding of both parts. If the packets are not certified, it does not test the difference:

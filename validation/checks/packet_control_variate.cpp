@@ -118,11 +118,9 @@ bool PacketControlVariate::fits(double share) const {
   return true;
 }
 
-std::optional<PacketControlVariate::Plan> PacketControlVariate::pays() const try {
+std::optional<PacketControlVariate::Plan> PacketControlVariate::pays() const {
   if (std::ranges::none_of(Plan::shares, [this](double share) { return fits(share); })) return std::nullopt;
   return cheapest_plan();
-} catch (const BadDraw&) {
-  return std::nullopt;
 }
 
 std::optional<PacketControlVariate::Plan> PacketControlVariate::cheapest_plan() const {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fairlight/stats/channel_findings.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/means.h>
 
@@ -18,6 +19,12 @@ std::vector<Reference> with_share(std::vector<Reference> references, double shar
 }
 
 bool is_heard(const Trial& trial) { return trial.evidence != nullptr && trial.evidence->listener; }
+
+// The finding of a pilot that met a draw which the claim excludes.
+Finding refuted_in_pilot(const Trial& trial, std::size_t channels, const BadDraw& bad) {
+  if (trial.evidence != nullptr) trial.evidence->margin_grid = refuted_grid(trial.margin, channels);
+  return detail::found_in_pilot(trial, bad);
+}
 
 }  // namespace
 
@@ -51,13 +58,11 @@ std::vector<Finding> PacketMean::test_each(const Trial& trial, const SamplingSch
   return findings;
 }
 
-SamplingScheme PacketMean::cheapest(double many) const try {
+SamplingScheme PacketMean::cheapest(double many) const {
   Pilots pilots(*this);
   if (static_cast<double>(draws_.lanes) * pilots.independent(1).cost <= many) return {};
   pilots.add_points();
   return pilots.cheapest(1).scheme;
-} catch (const BadDraw&) {
-  return {};
 }
 
 PacketMean::Pilots::Pilots(const PacketMean& mean) : mean_(mean) { add({}, 1, independent_pilot); }
@@ -89,22 +94,26 @@ PacketMean::Choice PacketMean::Pilots::cheapest(double share) const {
 
 // A listener gets draws from independent numbers, as pictures are made of these.
 Finding check_mean_in_packets(const Trial& trial, const std::vector<Reference>& references, const Draws& draws,
-                              double many) {
+                              double many) try {
   const PacketMean mean(trial, references, draws);
   const SamplingScheme scheme = is_heard(trial) ? SamplingScheme() : mean.cheapest(many);
   Finding finding = worst_of(mean.test_each(trial, scheme));
   if (!scheme.is_independent() && finding.verdict != Verdict::certified)
     finding.note = "tested over Sobol' points" + (finding.note.empty() ? "" : ": " + finding.note);
   return finding;
+} catch (const BadDraw& bad) {
+  return refuted_in_pilot(trial, references.size(), bad);
 }
 
 Finding check_mean_in_double(const Trial& trial, const std::vector<Reference>& references,
-                             const PairedDraws& draws) {
+                             const PairedDraws& draws) try {
   if (!is_heard(trial)) {
     const PacketControlVariate variate(trial, references, draws);
     if (const auto plan = variate.pays()) return variate.finding(*plan);
   }
   return check_mean(trial, references, draws.in_double);
+} catch (const BadDraw& bad) {
+  return refuted_in_pilot(trial, references.size(), bad);
 }
 
 }  // namespace fairlight
