@@ -50,6 +50,27 @@ inline auto strategies_agree(const std::string& name, std::vector<std::string> s
                   comparison.margin_factor);
 }
 
+/// The picture has at least the mean that its comparisons are relative to. If it had not, their
+/// margins would be wider than stated. `most` is the most that a path brings, in grey.
+inline auto presumed_mean(const std::string& name, const SceneComparison& comparison, double most,
+                          RenderSettings settings) {
+  settings.scene = comparison.scene;
+  settings.max_depth = comparison.max_depth;
+  const View view = view_of(settings);
+  const auto make = [scene = view.scene, settings]<class Real>(std::type_identity<Real>) {
+    return ChosenTracer<Real>(settings, scene);
+  };
+  const auto draw = [camera = view.camera, tracer = RadianceAlong(view.scene, make)]<class Real>(
+                        std::type_identity<Real> real, auto& source) {
+    const Vec2<Real> place = next_pair<Real>(source);
+    return mean_channel(tracer.along(camera.template ray<Real>(place.x(), place.y(), 1, 1, source), real, source));
+  };
+  return estimand(name, {"PathTracer", "DirectLight"},
+                  "the picture of " + comparison.scene + " has the mean that margins are relative to, or more",
+                  "a declared bound, that was measured",
+                  {{comparison.mean, 0, most, 0, comparison.mean, Sides::not_below}}, draw, 20);
+}
+
 /// A square of a picture; (0,0) is the upper left corner, (1,1) the lower right one.
 struct PictureSquare {
   double left = 0, top = 0, side = 1;

@@ -136,6 +136,8 @@ void add_strategies(std::vector<Claim>& claims, const WholeScene& scene) {
       {BounceSampling::uniform, DirectLighting::light, scene.light_sampling, WhichLight::contribution,
        RouletteKind::throughput},
       baseline);
+  claims.push_back(mean_claim<Packet>(presumed_mean(scene.name + ".strategies.mean", scene.comparison(0),
+                                                    scene.most.baseline + scene.most.light, baseline)));
   if (scene.alone_factor == 0) return;
   add("alone", scene.comparison(scene.most.light, scene.alone_factor),
       {BounceSampling::cosine, DirectLighting::none, LightPoints::area, WhichLight::all, RouletteKind::albedo},
