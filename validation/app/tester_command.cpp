@@ -109,7 +109,7 @@ int calibration(const TesterOptions& options) {
 int power(const TesterOptions& options) {
   const TesterAudit audit = options.audit();
   const auto outcomes = audit_power(audit, progress_bar("power"));
-  std::printf("draws off by the margin, 0.1, up and down; a miss is any verdict but biased\n");
+  std::printf("draws off by the margin, 0.1, up and down; a miss is any verdict but biased, or without a range but undecided\n");
   print_outcomes(outcomes, "misses");
   return conclude(options, audit, {{"tests", outcomes}, {"cost", nlohmann::json::array()}}, all_passed(outcomes));
 }
