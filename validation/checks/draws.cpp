@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <fairlight/estimators/sobol.h>
+#include <fairlight/stats/text.h>
 #include <fairlight/validation/checks/draws.h>
 
 namespace fairlight {
@@ -29,7 +30,10 @@ void require_in_range(std::uint64_t draw, const std::vector<Real>& channels,
     if (!any(!(channels[c] >= rounded<Real>(lower) && channels[c] <= rounded<Real>(upper)))) continue;
     for (const double value : in_double(channels[c])) {
       if (!(value >= lower && value <= upper))
-        throw BadDraw(draw, value, "one of those that it is the mean of, out of its declared range");
+        throw BadDraw(
+            draw, value,
+            formatted("one of those that it is the mean of, out of its declared range from %g to %g", lower, upper)
+                .c_str());
     }
   }
 }

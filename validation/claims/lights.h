@@ -28,8 +28,9 @@ struct SphereFromOrigin {
   /// The largest 1/p: A cos_L / t^2 by area, the solid angle by cone.
   double area_bound() const { return area() / (nearest() * nearest()); }
   double cone_bound() const {
+    // Without the difference 1 - cos, which is 0 for a small cone.
     const double sine = radius / centre.norm();
-    return 2 * std::numbers::pi * (1 - std::sqrt(1 - sine * sine));
+    return 2 * std::numbers::pi * sine * sine / (1 + std::sqrt(1 - sine * sine));
   }
 };
 
