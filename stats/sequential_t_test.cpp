@@ -277,15 +277,13 @@ class GroupSequential {
   End end_ = End::final;
 };
 
-Finding run(const Trial& trial, const UnboundedMean& claim, std::size_t arms, const DrawBlock& draw_block) {
-  try {
-    return with_token(trial, GroupSequential(trial, claim, arms, draw_block).run());
-  } catch (const BadDraw& bad) {
-    Finding finding{Verdict::biased, Guarantee::deterministic, trial.margin};
-    finding.draws = bad.draw() + 1;
-    finding.note = bad.what();
-    return with_token(trial, finding);
-  }
+Finding run(const Trial& trial, const UnboundedMean& claim, std::size_t arms, const DrawBlock& draw_block) try {
+  return with_token(trial, GroupSequential(trial, claim, arms, draw_block).run());
+} catch (const BadDraw& bad) {
+  Finding finding{Verdict::biased, Guarantee::deterministic, trial.margin};
+  finding.draws = bad.draw() + 1;
+  finding.note = bad.what();
+  return with_token(trial, finding);
 }
 
 }  // namespace

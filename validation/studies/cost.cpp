@@ -147,8 +147,8 @@ StudyResult cost(const StudyOptions& options) {
                    {}};
   std::string charts =
       "set logscale xy; set format '10^{%T}'; set xlabel 'CPU seconds of a picture'\n"
-      "set ylabel 'error [W/(sr m^2)]'; set key inside bottom left vertical Left reverse; set termoption "
-      "enhanced\n";
+      "set ylabel 'error [W/(sr m^2)]'; set key outside bottom center horizontal Left reverse; "
+      "set termoption enhanced\n";
   for (const int depth : {1, -1}) {
     std::vector<std::vector<Level>> all;
     for (const Strategy& strategy : strategies)
