@@ -2,6 +2,7 @@
 #include <array>
 #include <stdexcept>
 
+#include <fairlight/render/nearest_names.h>
 #include <fairlight/stats/text.h>
 #include <fairlight/validation/studies/all_studies.h>
 
@@ -31,9 +32,14 @@ std::span<const Study> studies() { return all; }
 const Study& study_named(const std::string& name) {
   const auto found = std::ranges::find(all, name, &Study::name);
   if (found != all.end()) return *found;
-  std::string names = "all";
-  for (const Study& study : all) names.append(", ").append(study.name);
-  throw std::invalid_argument(formatted("there is no study \"%s\" (there are %s)", name.c_str(), names.c_str()));
+  std::vector<std::string> names{"all"};
+  std::string listed = "all";
+  for (const Study& study : all) {
+    names.emplace_back(study.name);
+    listed.append(", ").append(study.name);
+  }
+  throw std::invalid_argument(formatted("there is no study \"%s\" among %s %s", name.c_str(), listed.c_str(),
+                                        did_you_mean(name, names, "fairlight study --help").c_str()));
 }
 
 }  // namespace fairlight
